@@ -98,7 +98,7 @@ std::string check_number(const std::string& text) {
     return is_number ? std::string() : '`' + text + "` is not a number";
 }
 
-/// As for the tick of a machine: the path between two setpoints says nothing beyond a second.
+/// As for the tick of a machine: the path between two setpoints tells nothing beyond a second.
 double parse_tick(const std::string& text) {
     const double tick = parse_time(text, "--tick");
     if (tick < machine::kShortestTick || tick > machine::kLongestTick)
@@ -565,7 +565,7 @@ void Parser::add_solve(CLI::App& machine) {
     tool->excludes(euler);
 }
 
-/// `--tick ''` is a variable of a shell that is not set: what stands there was meant to say
+/// `--tick ''` is a variable of a shell that is not set: what stands there was meant to give
 /// something.
 void Parser::refuse_empty_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
@@ -604,7 +604,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     return line_;
 }
 
-/// How a switch stands at the start; how it is turned goes to the events of the run.
+/// How a switch stands at the start; how it is set goes to the events of the run.
 double Parser::take_override(const std::string& text, const char* option, motion::OperatorAct act,
                              double most) {
     if (text.empty()) return 1;
@@ -665,7 +665,7 @@ std::string Parser::message(const CLI::ParseError& error, int& status) const {
     std::ostringstream wrong;
     status = app_.exit(error, out, wrong);
     if (status == 0) return out.str();
-    // "A subcommand is required" says neither what stood there nor what there is.
+    // "A subcommand is required" tells neither what stood there nor what there is.
     if (app_.get_subcommands().empty()) return "kadr: " + commands_message();
     return "kadr: " + wrong.str();
 }

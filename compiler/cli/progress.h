@@ -1,4 +1,4 @@
-// progress.h — one line on the terminal that says how far a long run has come.
+// progress.h — one line on the terminal that shows how far a long run has come.
 #pragma once
 
 #include <chrono>

@@ -111,7 +111,7 @@ std::unique_ptr<Recording> Bench::perform(const CallUnderTest& call, const std::
     return recording;
 }
 
-/// A call with an error: what it says becomes what the test says.
+/// A call with an error: what it reports becomes what the test reports.
 Done Bench::require_no_error(const DiagnosticList& messages) {
     if (!messages.has_errors()) return kDone;
     for (const Diagnostic& diagnostic : messages.all()) {

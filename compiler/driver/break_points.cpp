@@ -99,7 +99,7 @@ bool BreakPoint::is_at(const StopArrival& arrival) const {
 }
 
 std::size_t CallWatch::known_calls(const expand::Trace& now) {
-    // The same call in another turn of a loop around it is another call.
+    // The same call in another pass of a loop around it is another call.
     const auto is_same_turn = [&](std::size_t loops) {
         return loops <= now.loop_counts.size() && loops <= before_.loop_counts.size() &&
                std::equal(now.loop_counts.begin(),

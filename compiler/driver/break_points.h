@@ -1,4 +1,4 @@
-// break_points.h — `--break` and `--until`: places in a program that a person names.
+// break_points.h — `--break` and `--until`: points of a program that a person names.
 //
 //   N120, 120       a block number
 //   :34             a line of the program that was started
@@ -45,7 +45,7 @@ struct StopArrival {
 
 class BreakPoint {
   public:
-    /// Nothing: no place can be meant by this.
+    /// Nothing: no point can be meant by this.
     static std::optional<BreakPoint> parse(std::string_view text);
 
     const std::string& text() const { return text_; }

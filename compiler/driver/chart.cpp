@@ -16,7 +16,7 @@ constexpr double kGridUp = 34;
 constexpr double kFlat = 1e-9;
 constexpr double kHeadroom = 0.06;  // share of the height above and below the curves
 
-/// The numbers of a chart as places on paper.
+/// The numbers of a chart as positions on paper.
 struct Scale {
     PlotFrame frame;
     double lower_across = 0;
@@ -210,7 +210,7 @@ void draw_chart(std::string& out, const Chart& chart) {
     const PlotFrame& f = chart.frame;
     draw_grid(out, chart, scale);
     draw_head(out, chart);
-    // Each chart has its place on paper: that names what its curves are cut off by.
+    // Each chart has its position on paper: that names what its curves are cut off by.
     put(out,
         "<clipPath id=\"chart{0:.0f}-{1:.0f}\"><rect x=\"{0:.1f}\" y=\"{1:.1f}\" "
         "width=\"{2:.1f}\" height=\"{3:.1f}\"/></clipPath>\n"

@@ -45,7 +45,7 @@ struct Chart {
     std::vector<ChartBand> alerts;  // likewise, to be looked at
 };
 
-/// The number of a mark: a disc with its middle at this place.
+/// The number of a mark: a disc with its middle at this point.
 void draw_badge(std::string& out, double x, double y, const std::string& name);
 
 /// Appends the drawing; the scale upwards is chosen from what is seen.

@@ -1,4 +1,4 @@
-// compare.h — `kadr compare`: whether two programs, or one for two controls, move the same way.
+// compare.h — `kadr compare`: whether two programs, or one for two controls, make the same motions.
 #pragma once
 
 #include "driver/options.h"

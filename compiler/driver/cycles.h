@@ -18,9 +18,9 @@ namespace kadr::driver {
 /// The files of the library's cycles, in a fixed order.
 std::vector<std::string> cycle_files(const std::string& library);
 
-/// Keeps the first mistake that a cycle finds in its parameters: its place is the library's, and
+/// Keeps the first mistake that a cycle finds in its parameters: its location is the library's, and
 /// who called the cycle knows a better one. Passes on everything else; warnings stand where the
-/// cycle is called, and the library's place is told behind.
+/// cycle is called, and the library's location is noted behind.
 class CycleMessages final : public DiagnosticSink {
   public:
     explicit CycleMessages(DiagnosticSink& next) : next_(&next) {}

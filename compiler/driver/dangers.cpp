@@ -21,7 +21,7 @@ bool is_danger(const DiagnosticRow& row) {
     return std::ranges::find(kRows, &row) != kRows.end();
 }
 
-/// Passes on warnings of danger alone, each with its place in the program.
+/// Passes on warnings of danger alone, each with its location in the program.
 class DangerReport final : public DiagnosticSink {
   public:
     DangerReport(const GeneratedText& text, DiagnosticSink& next) : text_(text), next_(next) {}

@@ -1,7 +1,7 @@
 // dangers.h — a text that is only made is run as well, for what it would do to a machine.
 //
-// `kadr run` says what is legal and dangerous (diagnostics/danger.def) while it executes. `kadr
-// check`, and `kadr expand` for a machine, say the same of a Kadr program, at the statement that
+// `kadr run` reports what is legal and dangerous (diagnostics/danger.def) while it executes. `kadr
+// check`, and `kadr expand` for a machine, report the same of a Kadr program, at the statement that
 // wrote the line.
 #pragma once
 

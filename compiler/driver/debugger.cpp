@@ -252,7 +252,7 @@ bool Debugger::stop(std::string_view reason) {
     }
 }
 
-/// Does what a command says. True: the conversation is over; `is_over`: the program too.
+/// Does what a command asks. True: the conversation is over; `is_over`: the program too.
 bool Debugger::obey(std::string_view line, bool& is_over) {
     const std::size_t begin = std::min(line.find_first_not_of(" \t:"), line.size());
     line.remove_prefix(begin);

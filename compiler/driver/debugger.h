@@ -16,8 +16,8 @@ namespace kadr::driver {
 
 class Debugger final : public macro::LineWatch {
   public:
-    /// Null: a place of the job is none, which is reported. `trace`: where it goes; null: nowhere.
-    /// All references outlive the debugger.
+    /// Null: a break point of the job is none, which is reported. `trace`: where it goes; null:
+    /// nowhere. All references outlive the debugger.
     static std::unique_ptr<Debugger> open(Session& session, const RunJob& job, Output* trace);
 
     /// What the execution is opened with, besides its map.
@@ -29,8 +29,8 @@ class Debugger final : public macro::LineWatch {
     void follow(Execution& execution);
 
     bool comes_to(const macro::WatchedLine& line) override;
-    /// Writes what is left of the trace, and warns of places that the run never came to. `alarm`:
-    /// that ended the run; empty: none.
+    /// Writes what is left of the trace, and warns of break points that the run never came to.
+    /// `alarm`: that ended the run; empty: none.
     void finish(const std::string& alarm);
 
   private:

@@ -49,7 +49,7 @@ std::string program_of(const nc::Example& example, const nc::Dialect& dialect,
     return text + "program example() { " + example.source + " }\n";
 }
 
-/// A block that says what X is, and nothing else.
+/// A block that sets what X is, and nothing else.
 bool says_diameter_alone(const nc::Block& block) {
     return block.kind == nc::Block::Kind::Nc && block.motion == nc::Function::None &&
            block.given == 0 && block.function_count == 1 &&
@@ -57,8 +57,8 @@ bool says_diameter_alone(const nc::Block& block) {
 }
 
 Trial run_source(Session& session, const nc::Example& example, const nc::Dialect& dialect) {
-    // The messages of the program are about a text that nobody has written: the first one is told
-    // at the example instead.
+    // The messages of the program are about a text that nobody has written: the first one is
+    // reported at the example instead.
     Messages messages(session.sources(), {}, [](std::string_view) {});
     Session inner({}, session.share(), session.sources(), messages);
     const FileId file =
@@ -77,13 +77,13 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
             is_running = count > 0;
         }
     }
-    // A turning cycle stands in a program that has said what X is.
+    // A turning cycle stands in a program that has set what X is.
     if (calls_cycle(example.source, dialect)) std::erase_if(trial.blocks, says_diameter_alone);
     trial.fault = messages.first_error();
     return trial;
 }
 
-/// Why the file does not say what the control's own cycle does; empty if it does.
+/// Why the file does not tell what the control's own cycle does; empty if it does.
 std::string fault_of_cycle(const sema::Code& code, const nc::CycleInfo& cycle) {
     const auto function =
         std::ranges::find_if(code.functions, [&](const sema::FunctionCode& candidate) {

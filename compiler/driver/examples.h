@@ -1,4 +1,4 @@
-// examples.h — the examples of a dialect file, run as the manual says them.
+// examples.h — the examples of a dialect file, run as the manual has them.
 #pragma once
 
 #include "driver/session.h"

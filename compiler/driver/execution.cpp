@@ -55,7 +55,7 @@ std::string dialect_of_text(Session& session, const std::string& source, std::st
     std::vector<nc::DialectSummary> found = dialects_of_suffix(session, suffix);
     if (found.empty()) return kDefaultDialect;
     if (found.size() == 1) return found[0].name;
-    // Another control's file with mistakes says nothing about this text.
+    // Another control's file with mistakes tells nothing about this text.
     std::erase_if(found, [&](const nc::DialectSummary& summary) {
         return !nc::can_be_loaded(summary.name, session.share().dialects);
     });
@@ -89,8 +89,8 @@ std::string shown_name(const std::string& source) { return source == "-" ? "<std
 
 }  // namespace
 
-/// Keeps what the reader says until the blocks before are executed: it reads ahead, and a control
-/// that stops, or comes to its end, does not complain of what stands behind.
+/// Keeps what the reader reports until the blocks before are executed: it reads ahead, and a
+/// control that stops, or comes to its end, does not complain of what stands behind.
 class Execution::HeldMessages final : public DiagnosticSink {
   public:
     explicit HeldMessages(DiagnosticSink& next) : next_(next) {}
@@ -177,7 +177,7 @@ class Execution::StatementNotes final : public DiagnosticSink {
         next_.take(std::move(diagnostic));
     }
 
-    /// Whether the line of the message is generated; its place is that of the statement then.
+    /// Whether the line of the message is generated; its location is that of the statement then.
     bool place_at_statement(Diagnostic& diagnostic) const {
         const bool is_generated = execution_.generated_ && diagnostic.line &&
                                   diagnostic.line->file == execution_.text_name_;
@@ -278,7 +278,7 @@ std::unique_ptr<Execution> Execution::open(Session& session, const KadrProgram& 
     return execution;
 }
 
-/// What the machine tells the program before it begins.
+/// What the machine gives the program before it begins.
 Done Execution::open_inputs() {
     if (session_.options().call && program_ != nullptr) {
         session_.messages().report(diag::CallOfKadr);
@@ -479,7 +479,7 @@ void Execution::place_messages(motion::PlannerOptions& options) {
     reader_->keep_lines(std::max(kShownLines, 2 * options.lookahead));
     options.locate_command = [this](const motion::CommandLocation& asked) {
         motion::ShownLocation shown{shown_location(asked.line, asked.axis), {}};
-        // The source of generated text is a statement, which StatementNotes tells.
+        // The source of generated text is a statement, which StatementNotes shows.
         if (!generated_) shown.calls = reader_->calls(asked.source);
         return shown;
     };

@@ -42,7 +42,7 @@ struct Subject {
     const nc::Dialect& dialect;
     Entry entry;
     LibraryCycles& cycles;  // those of the dialect
-    DiagnosticSink& sink;   // for all that is said on the way
+    DiagnosticSink& sink;   // for all that is reported on the way
     std::string* text;      // gets the ISO-7bit text
 };
 
@@ -64,7 +64,7 @@ struct Aside {
 class Execution final : public Stream<path::Command> {
   public:
     /// Loads dialect and machine, checks a Kadr program. Null: reported, the status of the session
-    /// says what it was. What `aside` names outlives the execution.
+    /// tells what it was. What `aside` names outlives the execution.
     static std::unique_ptr<Execution> open(Session& session, const std::string& source,
                                            std::unique_ptr<FileText> text, const Aside& aside = {});
     /// The same for a program among the sources of the session. `tap` sees the text that is
@@ -75,7 +75,7 @@ class Execution final : public Stream<path::Command> {
     /// execution. Null: the sink has got the reason.
     static std::unique_ptr<Execution> open(Session& session, const Subject& subject);
     /// The same for the text of a checked program that somebody else has started; what they refer
-    /// to outlives the execution. `sink` gets all that the execution says. Null: reported.
+    /// to outlives the execution. `sink` gets all that the execution reports. Null: reported.
     static std::unique_ptr<Execution> open(Session& session, const KadrProgram& program,
                                            const nc::Dialect& dialect,
                                            std::unique_ptr<GeneratedText> text,
@@ -93,7 +93,7 @@ class Execution final : public Stream<path::Command> {
     bool alarmed() const { return is_late_ || interpreter_->alarmed(); }
     /// Whether the command has computed for longer than it may. Any thread may ask.
     bool is_time_over() const { return deadline_.is_over(); }
-    /// Says so where nobody has: what was left of the motion when the time was over is lost.
+    /// Reports it where nobody has: what was left of the motion when the time was over is lost.
     void end_in_time() {
         if (!is_late_) check_time();
     }
@@ -141,7 +141,7 @@ class Execution final : public Stream<path::Command> {
     Done open_program(FileId file, GeneratedText::Tap tap = {});
     void connect_with_library();
     void connect(DiagnosticSink& sink);
-    /// Says it if the time is over, and is late from then on.
+    /// Reports it if the time is over, and is late from then on.
     void check_time();
     void read_on(bool is_reached);
     TextLocation shown_location(std::uint32_t line, std::optional<Axis> axis) const;

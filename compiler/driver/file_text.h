@@ -30,7 +30,7 @@ class FileText final : public nc::TextSource {
     /// The first piece, without taking it.
     std::string_view peek() const { return {piece_.data(), filled_}; }
     /// Everything, for a source that turns out to be a Kadr program. Of one that is too large for
-    /// the parser so much that it says so: the file may have no end.
+    /// the parser so much that it reports so: the file may have no end.
     std::string read_all(std::size_t most);
 
   private:
@@ -48,7 +48,7 @@ class FileText final : public nc::TextSource {
 /// comments and texts there.
 bool looks_like_kadr(std::string_view text);
 
-/// Whether a name says that a file is a Kadr program.
+/// Whether a name tells that a file is a Kadr program.
 bool is_kadr_name(std::string_view path);
 
 }  // namespace kadr::driver

@@ -112,7 +112,7 @@ static std::int64_t program_number(std::string_view name) {
     return is_number && number > 0 ? number : kFirst;
 }
 
-/// The control can be told the units of the program, or stands in them anyway.
+/// The control can be given the units of the program, or stands in them anyway.
 Done GeneratedText::require_units(const Entry& entry) {
     const nc::Function wanted = entry.is_inch ? nc::Function::Inch : nc::Function::Metric;
     const nc::Function standing = target_.power_on(nc::Group::Units);
@@ -237,8 +237,8 @@ bool GeneratedText::is_in_library(const SourceRange& range) const {
     return session_.sources().name(range.file).starts_with(session_.share().library);
 }
 
-/// What stands in the library gets the place of the innermost call that does not; its own place
-/// becomes a note. False: it stands where it belongs.
+/// What stands in the library gets the location of the innermost call that does not; its own
+/// location becomes a note. False: it stands where it belongs.
 bool GeneratedText::move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic::Note>& calls,
                                  const char* words) const {
     if (!diagnostic.range.file.is_valid() || !is_in_library(diagnostic.range)) return false;

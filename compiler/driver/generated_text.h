@@ -80,7 +80,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
                   Output* map, bool keeps_calls, DiagnosticSink& sink);
     /// Where errors of the writer go: to each the calls that led to the block are added, and what
-    /// a statement of the library cannot say is an error where the library was called.
+    /// a statement of the library cannot write is an error where the library was called.
     class WriterMessages final : public DiagnosticSink {
       public:
         WriterMessages(const GeneratedText& text, DiagnosticSink& sink)
@@ -90,12 +90,12 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
       private:
         const GeneratedText& text_;
         DiagnosticSink& sink_;
-        SourceRange last_call_;  // of the library, about which something was said, …
+        SourceRange last_call_;  // of the library, about which something was reported, …
         const DiagnosticRow* last_row_ = nullptr;  // … and what
     };
 
     /// Where errors of evaluating go, and warnings of the library's authors: what a function of the
-    /// library finds is said where the library was called.
+    /// library finds is reported where the library was called.
     class ExpanderMessages final : public DiagnosticSink {
       public:
         ExpanderMessages(const GeneratedText& text, DiagnosticSink& sink)

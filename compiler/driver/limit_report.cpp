@@ -103,7 +103,7 @@ LimitShare& LimitReport::share_of_tool(double time) {
     return tools_.emplace_back(number, LimitShare{}).second;
 }
 
-/// Told losses find their tool when the pieces have come up to their time.
+/// Reported losses find their tool when the pieces have come up to their time.
 void LimitReport::settle_until(double time) {
     const auto rest =
         std::stable_partition(waiting_.begin(), waiting_.end(),
@@ -122,7 +122,7 @@ void LimitReport::settle_until(double time) {
     waiting_.erase(waiting_.begin(), rest);
 }
 
-/// Memory is bounded: of very many places those are forgotten that have cost least so far.
+/// Memory is bounded: of very many locations those are forgotten that have cost least so far.
 void LimitReport::forget_least() {
     std::vector<double> losses;
     losses.reserve(rows_.size());
@@ -185,7 +185,7 @@ std::string LimitReport::report(const std::string& source) const {
     return text;
 }
 
-/// One row for a place and a reason, in the order of cost.
+/// One row for a location and a reason, in the order of cost.
 std::string LimitReport::table() const {
     std::string text = "place,reason,lost,time\n";
     for (const Row* row : costly()) {

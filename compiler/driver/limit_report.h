@@ -15,7 +15,7 @@
 
 namespace kadr::driver {
 
-/// What a place, a tool or the whole run takes, and what of it no feed has asked for.
+/// What a location, a tool or the whole run takes, and what of it no feed has asked for.
 struct LimitShare {
     double time = 0;                                  // s, of motion
     std::array<double, motion::kLossReasons> lost{};  // s, in the order of LossReason
@@ -32,7 +32,7 @@ class LimitReport {
 
     /// A command on its way to the planner.
     void see(const path::Command& command);
-    /// What the planner tells. Before the piece comes to `add`, or behind it.
+    /// What the planner reports. Before the piece comes to `add`, or behind it.
     void lose(const motion::SpeedLoss& loss);
     /// A planned piece; pieces come in the order of the commands.
     void add(const motion::Segment& segment);
@@ -69,7 +69,7 @@ class LimitReport {
     std::vector<std::int64_t> calls_;  // of tools, that are not planned yet
     std::vector<ToolTime> tool_times_ = {{}};
     std::vector<std::pair<std::int64_t, LimitShare>> tools_;
-    std::vector<motion::SpeedLoss> waiting_;  // told before their pieces came
+    std::vector<motion::SpeedLoss> waiting_;  // reported before their pieces came
 };
 
 }  // namespace kadr::driver

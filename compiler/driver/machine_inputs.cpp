@@ -141,7 +141,7 @@ class ObjectLines {
 
 // ---------------------------------------------------------------- lines of a control
 
-/// The number of the block is no part of what it says.
+/// The number of the block is no part of what it holds.
 std::string_view without_number(std::string_view line) {
     const auto trim = [&] {
         while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);

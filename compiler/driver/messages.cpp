@@ -46,7 +46,8 @@ std::string_view comment_of(std::string_view line) {
 
 }  // namespace
 
-/// Whether `// kadr: allow K2501 why` stands in the line of the place, or alone in the line before.
+/// Whether `// kadr: allow K2501 why` stands in the line of the location, or alone in the line
+/// before.
 bool Messages::is_allowed(std::string_view code, const SourceRange& location) const {
     if (!location.file.is_valid()) return false;
     const std::string_view text = sources_.text(location.file);
@@ -78,8 +79,8 @@ bool Messages::first_time(const std::string& text) {
 }
 
 void Messages::take(Diagnostic diagnostic) {
-    // A row that was said often enough is only counted, so that a mistake in a loop of a million
-    // turns costs neither time nor memory.
+    // A row that was reported often enough is only counted, so that a mistake in a loop of a
+    // million passes costs neither time nor memory.
     if (is_silenced(diagnostic)) return;
     std::size_t& seen = seen_[diagnostic.row];
     if (seen >= options_.repeats) {

@@ -30,11 +30,11 @@ class Messages final : public DiagnosticSink {
     Messages(const Sources& sources, MessageOptions options, Write write);
 
     /// Renders the diagnostic at once, unless it is a warning that the source allows. The same
-    /// words at the same place are said once; of one row only the first `repeats` are shown. All
-    /// are counted.
+    /// words at the same location are reported once; of one row only the first `repeats` are shown.
+    /// All are counted.
     void take(Diagnostic diagnostic) override;
 
-    /// Says how many messages were left out. To be called once, at the end.
+    /// Reports how many messages were left out. To be called once, at the end.
     void finish();
 
     std::size_t warnings() const { return warnings_; }
@@ -42,12 +42,12 @@ class Messages final : public DiagnosticSink {
     std::size_t alarms() const { return alarms_; }
     /// The first alarm as one line of text, for the outputs that end with it; empty if none.
     const std::string& first_alarm() const { return first_alarm_; }
-    /// The words of the first error or alarm, without its place; empty if none.
+    /// The words of the first error or alarm, without its location; empty if none.
     const std::string& first_error() const { return first_error_; }
 
-    /// Whether a comment in the source silences warnings of this code at the place.
+    /// Whether a comment in the source silences warnings of this code at the location.
     bool is_allowed(std::string_view code, const SourceRange& location) const;
-    /// Whether a comment at the place of a warning allows it.
+    /// Whether a comment at the location of a warning allows it.
     bool is_silenced(const Diagnostic& diagnostic) const;
 
   private:
@@ -64,7 +64,7 @@ class Messages final : public DiagnosticSink {
     std::string first_alarm_;
     std::string first_error_;
     std::unordered_map<const DiagnosticRow*, std::size_t> seen_;
-    std::unordered_set<std::size_t> shown_;  // hashes of what was said
+    std::unordered_set<std::size_t> shown_;  // hashes of what was reported
 };
 
 }  // namespace kadr::driver

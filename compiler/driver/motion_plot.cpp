@@ -74,7 +74,7 @@ void MotionTrace::add(const motion::Setpoint& setpoint) {
 
 void MotionTrace::keep(const motion::Setpoint& setpoint) {
     const std::size_t axes = machine_.axes.size();
-    // Behind a wait, of whose middle nothing is told, a bin would begin long before its end.
+    // Behind a wait, of whose middle nothing is recorded, a bin would begin long before its end.
     const bool follows = setpoint.time < last_time_ + 1.5 * tick_;
     if (pending_ > 0 && pending_ < stride_ && follows) {
         ++pending_;
@@ -197,7 +197,7 @@ std::pair<double, double> limits_of(const machine::MachineAxis& axis,
 /// Lines at the limits that a curve comes near to, in its colour.
 void add_limits(Chart& chart, const MotionTrace& trace, MotionTrace::Quantity quantity,
                 std::size_t i, const std::string& color) {
-    constexpr double kNear = 0.15;  // share of the way that the curve has, or of the limit
+    constexpr double kNear = 0.15;  // share of the path that the curve has, or of the limit
     const machine::MachineAxis& axis = trace.machine().axes[i];
     const double factor = factor_of(axis, quantity);
     const auto [lower, upper] = limits_of(axis, quantity);

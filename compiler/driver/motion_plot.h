@@ -1,6 +1,7 @@
 // motion_plot.h — position, velocity, acceleration and jerk of every axis over time, as a drawing.
 //
-// Derivatives are differences from tick to tick, as the summary has them: what the axes are told.
+// Derivatives are differences from tick to tick, as the summary has them: of the commanded
+// positions.
 #pragma once
 
 #include <array>
@@ -85,7 +86,7 @@ struct MotionText {
 
 /// The drawing as an SVG document: path speed, then a chart for each quantity with all linear axes,
 /// and one with all rotary ones. Where a curve comes near a limit of its axis, the limit is a
-/// dashed line; where the tool is at the pole, the charts say so.
+/// dashed line; where the tool is at the pole, the charts show it.
 std::string motion_svg(const MotionTrace& trace, const MotionText& text);
 
 }  // namespace kadr::driver

@@ -1,4 +1,4 @@
-// operator_events.h — what a person says that the operator does while a program runs.
+// operator_events.h — what a person lets the operator do while a program runs.
 //
 //   5s feed hold                 a line of the file of `--events`
 //   N120 + 2s cycle start        … 2 s after the block N120 begins
@@ -31,7 +31,7 @@ std::optional<motion::OperatorEvent> operator_event(std::string_view text);
 /// Feed hold and cycle start of `--hold`; without an end the hold lasts. Nothing: it is none.
 std::optional<std::vector<motion::OperatorEvent>> hold_events(std::string_view text);
 
-/// A switch as it stands from the start on, and how it is turned.
+/// A switch as it stands from the start on, and how it is set.
 struct OverrideSequence {
     double at_start = 1;  // a part, as in motion::Overrides
     std::vector<motion::OperatorEvent> events;
@@ -50,7 +50,7 @@ struct RunEvents {
 /// `N120 touch X25.3`, `:34 touch none`; nothing: it is none.
 std::optional<interp::ProbeTouch> probe_touch(std::string_view text);
 
-/// `5s set $A_IN[3]=1`, without the place in its file; nothing: it is none.
+/// `5s set $A_IN[3]=1`, without the location in its file; nothing: it is none.
 std::optional<macro::InputEvent> input_event(std::string_view text);
 
 /// Reads the file of `--events`. Nothing: reported.

@@ -27,14 +27,14 @@ enum class Status : std::uint8_t {
     Alarm = 3,   // the control would have stopped while it ran
 };
 
-/// Blocks that a program may make unless the options say otherwise.
+/// Blocks that a program may make unless the options set another number.
 inline constexpr std::uint64_t kMaxBlocks = 20'000'000;
 
 /// What holds for everything that a session does.
 struct Options {
     std::string dialect;                // name or file; empty: as the source suggests
     std::string machine;                // name or file; empty: the stock mill
-    bool has_stand_in_tools = false;    // its tools are nobody's: calls may say other cutters
+    bool has_stand_in_tools = false;    // its tools are nobody's: calls may name other cutters
     std::string program;                // which program of the file; empty: the only one
     std::vector<sema::Define> defines;  // values of the program's parameters
     std::vector<std::string> folders;   // searched for imports before the standard library
@@ -50,10 +50,10 @@ struct Options {
     std::uint16_t skip_levels = 0;        // bit n: blocks with skip level n are left out
     bool optional_stop = false;           // M1 stops
     std::optional<std::uint64_t> passes;  // of a main program that begins itself again
-    std::vector<std::string> variable_files;  // what the machine tells before a program begins …
+    std::vector<std::string> variable_files;  // what the machine gives before a program begins …
     std::optional<std::string> call;          // arguments with which ISO-7bit text is called
     std::vector<std::string> sets;            // … `NAME=VALUE`, which comes behind the files
-    std::optional<double> tick;               // s; nothing: as the machine says
+    std::optional<double> tick;               // s; nothing: as the machine has it
     const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
     sema::CheckOptions check;                 // what a prompt may do
     std::vector<std::string>* shown = nullptr;  // gets their values, as texts
@@ -100,7 +100,7 @@ struct RunJob {
     std::string print;  // what the program prints
     std::string map;
     std::string trace;                // every block with what it changed; JSON Lines if `.jsonl`
-    std::vector<std::string> breaks;  // places in front of which the run stops
+    std::vector<std::string> breaks;  // points in front of which the run stops
     std::vector<std::string> until;   // … in front of which the program ends
     Onlooker onlooker;
     SummaryFormat summary = SummaryFormat::None;

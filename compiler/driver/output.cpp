@@ -50,7 +50,7 @@ std::FILE* standard_stream(const std::string& path) {
     return nullptr;
 }
 
-/// Whether the place is free or holds a file of ours to write. A rename would also replace a file
+/// Whether the name is free or holds a file of ours to write. A rename would also replace a file
 /// that is write-protected; that is not what its owner wanted.
 bool may_replace(const std::string& path) {
     std::error_code error;

@@ -30,8 +30,8 @@ class OutputLimit {
     bool take(std::size_t bytes) {
         return written_.fetch_add(bytes, std::memory_order_relaxed) + bytes <= most_;
     }
-    /// Whether nobody has been told yet that it is over: from here on it counts as told. Asked by
-    /// one thread.
+    /// Whether nobody has yet reported that it is over: from here on it counts as reported. Asked
+    /// by one thread.
     bool first_time_over() { return !std::exchange(is_reported_, true); }
 
   private:
@@ -48,7 +48,7 @@ struct OutputRules {
 
 class Output {
   public:
-    /// Prepares to write; `-` is standard output. Null, with a message, if the place cannot be
+    /// Prepares to write; `-` is standard output. Null, with a message, if the file cannot be
     /// written, or holds a file that was read. The rules outlive the output.
     static std::unique_ptr<Output> open(const std::string& path, DiagnosticSink& sink,
                                         const OutputRules& rules = {});
@@ -61,9 +61,9 @@ class Output {
     void write(std::string_view text);
     /// Replaces what was written at this byte and behind it; not more than was written.
     void overwrite(std::size_t at, std::string_view text);
-    /// The run must not have read what stands at its place.
+    /// The run must not have read what stands there.
     Done require_no_source(DiagnosticSink& sink) const;
-    /// Puts the result in its place. Not done if that fails (a full disk, or the run
+    /// Puts the result there. Not done if that fails (a full disk, or the run
     /// has read what stands there meanwhile); what stood there before is then untouched.
     Done commit(DiagnosticSink& sink);
 

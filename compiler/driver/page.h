@@ -1,7 +1,7 @@
 // page.h — the page that plays a machine: a template with the data of a run put in.
 //
 // The template, markup, style and program in one file, is bundled from web/ when Kadr is built;
-// web/README.md says what the data mean.
+// web/README.md tells what the data mean.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@
 
 namespace kadr::driver {
 
-/// A place in one of the texts of a page; line 0: nowhere.
+/// A location in one of the texts of a page; line 0: nowhere.
 struct PageLocation {
     std::int32_t text = -1;  // index into the page's texts
     std::uint32_t line = 0;  // from 1

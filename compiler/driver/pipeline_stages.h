@@ -4,7 +4,7 @@
 //     translate ahead → [queue] → interpolate → [queue] → output
 //
 // With threads every stage works in its own and stops when its queue is full; without, one works
-// for the next. Sizes say when something is done, never what: the setpoints are the same.
+// for the next. Sizes decide when something is done, never what: the setpoints are the same.
 #pragma once
 
 #include <functional>

@@ -65,7 +65,7 @@ std::vector<LegendEntry> legend_of(const PlotScene& scene, PlotColor color) {
     std::vector<LegendEntry> legend;
     if (shades.size() <= kDistinct.size()) {
         for (const double shade : shades) {
-            // What only rounding of the way makes different is one feed.
+            // What only rounding of the path makes different is one feed.
             constexpr double kSame = 1e-4;
             const bool is_same = color == PlotColor::Feed && !legend.empty() &&
                                  shade - legend.back().upper < kSame * shade;

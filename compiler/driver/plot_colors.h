@@ -1,4 +1,4 @@
-// plot_colors.h — which colour a feed or a line has in a plot, and the legend that says so.
+// plot_colors.h — which colour a feed or a line has in a plot, and their legend.
 #pragma once
 
 #include <string>

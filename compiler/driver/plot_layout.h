@@ -29,7 +29,7 @@ struct View {
     double lower_up = 0;      // mm at the bottom edge
     double scale = 1;         // pixels a mm
     std::string name;
-    double up_given = 1;  // what a mm upwards is called: 2 where a radius is said as a diameter
+    double up_given = 1;  // what a mm upwards is called: 2 where a radius is given as a diameter
     /// Seen from above at the front, X to the right and Y into the depth, all three foreshortened
     /// alike; `across` and `up` mean nothing then.
     bool is_isometric = false;

@@ -74,7 +74,7 @@ void PlotScene::add(const motion::Segment& segment, double shade) {
     // rapid arrives.
     const bool is_approach = !has_begun_ && piece.kind == PlotPiece::Kind::Rapid;
     const Vec3 from = is_approach ? piece.to : path::start(segment.curve);
-    // Another tool has its tip elsewhere, without a way between.
+    // Another tool has its tip elsewhere, without a path between.
     const bool begins_anew = !has_begun_ || (from - at_).norm() > kContinuous;
     has_begun_ = true;
     at_ = piece.to;

@@ -16,7 +16,7 @@ struct PlotText {
     std::string subtitle;  // "FANUC 30i · 34.2 s · 1.28 m"
     std::string warning;   // shown in red: "ended by an alarm: …"; empty: none
     std::string feed_unit = "mm/min";
-    bool has_diameters = false;  // of a lathe: X is said as a diameter
+    bool has_diameters = false;  // of a lathe: X is programmed as a diameter
 };
 
 /// The drawing as an SVG document. Views: plan X-Y, below it X-Z, beside it Z-Y, all to one scale,

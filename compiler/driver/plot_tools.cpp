@@ -18,7 +18,7 @@ constexpr double kTurn = rad_from_deg(3);
 constexpr double kWay = 2;      // mm
 constexpr double kParts = 100;  // of a piece, at most
 
-/// By how much a tool turns along a piece, rad; never less than it does.
+/// By how much the orientation changes along a piece, rad; never less than it does.
 double orientation_along(const motion::Segment& segment, double length) {
     if (segment.orientation.kind == path::OrientKind::Cone)
         return std::abs(segment.orientation.rate) * length;

@@ -20,7 +20,7 @@ struct PlotTool {
 
 class PlotTools {
   public:
-    /// Adds a piece of motion; only one under a transformation has a tool that turns.
+    /// Adds a piece of motion; only one under a transformation has an orientation that changes.
     void add(const machine::Chain& chain, const motion::Segment& segment);
 
     std::span<const PlotTool> all() const { return tools_; }

@@ -39,7 +39,7 @@ std::optional<KadrProgram> checked(Session& session, FileId file) {
     program.modules = std::make_unique<Modules>(session);
     const auto [ast, dialect] = program.modules->parse(file);
     if (ast == nullptr) {
-        (void)require_time(session, file);  // beside what the parser has said
+        (void)require_time(session, file);  // beside what the parser has reported
         return std::nullopt;
     }
     sema::CheckOptions options = session.options().check;

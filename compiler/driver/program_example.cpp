@@ -15,7 +15,7 @@ namespace kadr::driver {
 
 namespace {
 
-/// A text that can be read again from any place, as a file can.
+/// A text that can be read again from any position, as a file can.
 class WholeText final : public nc::TextSource {
   public:
     explicit WholeText(std::string text) : text_(std::move(text)) {}

@@ -15,7 +15,7 @@ namespace kadr::driver {
 class ProgramFolders final : public macro::ProgramFiles {
   public:
     /// folders  in the order in which they are searched
-    /// session  says what may be read, and is told what was; null: anything
+    /// session  knows what may be read, and notes what was; null: anything
     explicit ProgramFolders(std::vector<std::string> folders, Session* session = nullptr)
         : session_(session), folders_(std::move(folders)) {}
 

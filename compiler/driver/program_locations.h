@@ -16,7 +16,7 @@ struct ProgramLocation {
     std::uint32_t line = 0;  // … of the ISO-7bit text
     std::string called;      // file and line in a program that was called
 
-    /// The order in which places of equal weight are shown.
+    /// The order in which locations of equal weight are shown.
     bool operator<(const ProgramLocation& other) const {
         if (line != other.line) return line < other.line;
         if (statement.begin != other.statement.begin)
@@ -34,7 +34,7 @@ class ProgramLocations {
 
     /// Of what a line of the ISO-7bit text, written for a statement, has moved.
     ProgramLocation find(std::uint32_t line, SourceId source) const;
-    /// The same for the same place only.
+    /// The same for the same location only.
     static std::string key_of(const ProgramLocation& location);
 
     /// "flange.kadr:41"

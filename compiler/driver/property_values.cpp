@@ -116,14 +116,14 @@ void PropertyValues::add_simpler(const Set& set, std::size_t parameter,
     if (!space.is_number) {
         const std::int64_t now = set[parameter].whole;
         const std::int64_t zero = std::clamp<std::int64_t>(0, space.least, space.most);
-        // The whole way, half of it, a quarter … one step.
+        // The whole distance, half of it, a quarter … one step.
         for (std::int64_t way = now - zero; way != 0; way /= 2) add({now - way, 0});
         return;
     }
     const double now = set[parameter].number;
     const double zero = std::clamp(0.0, space.from, space.to);
     const double step = std::pow(10.0, -space.decimals);
-    // With fewer digits, towards zero; then nearer by half of the way and so on.
+    // With fewer digits, towards zero; then nearer by half of the distance and so on.
     for (int decimals = 0; decimals < space.decimals; ++decimals) {
         double rounded = round_to(now, decimals);
         if (std::fabs(rounded - zero) > std::fabs(now - zero)) {

@@ -2,7 +2,7 @@
 // fail as well.
 //
 // Values are chosen as a person writes them, 21.5 mm or 230 mm/min, so that a set of values that
-// fails can be said again on the command line and is the same to the last bit.
+// fails can be given again on the command line and is the same to the last bit.
 #pragma once
 
 #include <cstdint>

@@ -21,13 +21,13 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr AxisMask kXy = 3;
 constexpr AxisMask kZ = 4;
 
-/// Two places closer than this are one, mm: half a thousandth is what the numbers of the text round
+/// Two points closer than this are one, mm: half a thousandth is what the numbers of the text round
 /// at each of them.
 constexpr double kSame = 0.001 + 1e-9;
 /// How far a move may come beyond a limit, mm: what the number of its end rounds.
 constexpr double kBeyond = sema::kExpectTolerance;
 
-/// A key for places in the plane that are one. Coordinates are mostly whole thousandths: those lie
+/// A key for points in the plane that are one. Coordinates are mostly whole thousandths: those lie
 /// in the middle of a cell, so that noise does not part what is the same.
 std::pair<std::int64_t, std::int64_t> cell(const Vec3& point) {
     const auto index = [](double value) {
@@ -53,7 +53,7 @@ std::optional<path::Curve> part_below(const path::Curve& curve, double height) {
     const path::Box box = path::bounds(curve);
     if (box.lower.z() >= height - kBeyond) return std::nullopt;
     if (box.upper.z() <= height) return curve;
-    // Along a line, and along a helix about the tool axis, the height changes evenly with the way.
+    // Along a line, and along a helix about the tool axis, the height changes evenly with the path.
     const auto* helix = std::get_if<path::Helix>(&curve);
     if (helix != nullptr && !is_vertical(helix->normal)) return curve;
     if (path::bends_freely(curve)) return curve;
@@ -65,7 +65,7 @@ std::optional<path::Curve> part_below(const path::Curve& curve, double height) {
     return from < to ? path::part(curve, 0, crossing) : path::part(curve, crossing, length);
 }
 
-/// Distance in the plane from a place to a curve, and the curve's height there.
+/// Distance in the plane from a point to a curve, and the curve's height there.
 std::pair<double, double> nearest(const path::Curve& curve, const Vec3& point) {
     const double length = path::length(curve);
     const auto away = [&](double s) {

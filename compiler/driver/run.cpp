@@ -184,7 +184,7 @@ class Run {
     std::unique_ptr<CommandList> list_;
     std::vector<motion::OperatorEvent> events_;      // what the operator does
     std::vector<interp::ProbeTouch> touches_;        // … where its probe touches
-    std::vector<macro::InputEvent> input_events_;    // … what the machine tells meanwhile
+    std::vector<macro::InputEvent> input_events_;    // … what the machine gives meanwhile
     std::map<std::uint32_t, std::int32_t> numbers_;  // of the lines of blocks that events name
     PlotScene scene_;
     PlotTools tools_;                            // along the path that is drawn
@@ -198,7 +198,7 @@ class Run {
     std::unique_ptr<PageRecorder> page_;        // likewise
     std::unique_ptr<SetpointTable> table_;      // likewise
     std::unique_ptr<motion::PathCheck> check_;  // null: no setpoints are made
-    std::atomic<std::uint64_t> setpoints_ = 0;  // progress is told by another thread
+    std::atomic<std::uint64_t> setpoints_ = 0;  // progress is reported by another thread
     std::uint64_t commands_ = 0;
 };
 
@@ -499,7 +499,7 @@ Done Run::check_events() const {
     return kFailed;
 }
 
-/// The setpoints that the machine file asks for, unless the command line says where they go.
+/// The setpoints that the machine file asks for, unless the command line tells where they go.
 Done Run::open_machine_output() {
     std::string name = execution_->machine().pipeline.setpoints.file;
     if (outputs_.setpoints || name.empty()) return kDone;

@@ -11,7 +11,7 @@ namespace kadr::driver {
 
 /// Executes a Kadr program or ISO-7bit text on the machine and writes the outputs of the job; the
 /// text summary goes to standard output if nothing else was asked for. After an error no output is
-/// touched; after an alarm each holds what came before it and says so.
+/// touched; after an alarm each holds what came before it and notes it.
 ///
 /// Setpoints are held against the programmed path (motion/path_check.h); one that is off is an
 /// error of Kadr, and reported as one. `spoil` makes planned motion wrong, for tests of that.

@@ -1,6 +1,6 @@
-// scanner_list.h — what a scanner is told in a run, as a text.
+// scanner_list.h — what a scanner is given in a run, as a text.
 //
-// One command a line. Places are millimetres in the field, as the mirrors are told them, times are
+// One command a line. Positions are millimetres in the field, as the mirrors get them, times are
 // microseconds, speeds mm/s on the workpiece:
 //
 //     set_jump_speed V                   once, in front of the lists
@@ -11,7 +11,7 @@
 //     set_mark_speed V
 //     jump_abs X Y T                     beam off, in T
 //     mark_abs X Y T                     beam on
-//     micro_abs X Y T                    a mark without a delay behind it: a bent way goes on
+//     micro_abs X Y T                    a mark without a delay behind it: a bent path goes on
 //     wait T                             in place, beam off
 //     expose T                           in place, beam on
 //     list_end T                         how long the list takes, the delays included

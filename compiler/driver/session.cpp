@@ -28,7 +28,7 @@ const T* load_once(std::map<std::string, std::unique_ptr<T>>& loaded, const std:
     return loaded.emplace(name, std::move(owned)).first->second.get();
 }
 
-/// Keeps what a loader says until it is known whether it read only what may be read.
+/// Keeps what a loader reports until it is known whether it read only what may be read.
 class HeldSink final : public DiagnosticSink {
   public:
     void take(Diagnostic diagnostic) override { held_.push_back(std::move(diagnostic)); }
@@ -51,7 +51,7 @@ class HeldSink final : public DiagnosticSink {
     std::vector<Diagnostic> held_;
 };
 
-/// Says where something was asked for that is not there: a place in a source, or an option.
+/// Notes where something was asked for that is not there: a location in a source, or an option.
 class OriginSink final : public DiagnosticSink {
   public:
     OriginSink(DiagnosticSink& next, const SourceRange& location, std::string_view option)

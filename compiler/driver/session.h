@@ -27,7 +27,7 @@
 
 namespace kadr::driver {
 
-/// How far a long command has come; told every few thousand blocks.
+/// How far a long command has come; reported every few thousand blocks.
 struct Progress {
     std::uint64_t blocks = 0;
     std::uint64_t setpoints = 0;
@@ -81,7 +81,7 @@ class Session {
     std::string stock_machine();
     /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
     const machine::Machine* machine();
-    /// What it tells programs; behind `machine`, which has loaded it.
+    /// What it gives to programs; behind `machine`, which has loaded it.
     const machine::MachineData& machine_data() const { return machine_data_; }
 
     /// Called now and then while a long command works.

@@ -6,7 +6,8 @@ namespace kadr::driver {
 
 namespace {
 
-/// Ticks that are told at each end of a wait: derivatives die out, and what comes begins from rest.
+/// Ticks that are shown at each end of a wait: derivatives die out, and what comes begins from
+/// rest.
 constexpr double kTold = 16;
 
 /// Whether nothing changes while it lasts.

@@ -1,4 +1,4 @@
-// source_map.h — the source map: which statement, calls and loop turns made a line of the text.
+// source_map.h — the source map: which statement, calls and loop passes made a line of the text.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ void append_calls(std::string& out, const expand::Trace& trace, const Session& s
 /// Appends one object and a line end:
 /// `{"iso":12,"lines":1,"file":"a.kadr","line":34,"column":5,"end_line":34,"end_column":20,
 ///   "calls":[{"function":"f","file":"a.kadr","line":50,"column":3}],"loops":[2]}`.
-/// `calls` begins with the outermost; `loops` counts the turns of the loops around the statement,
+/// `calls` begins with the outermost; `loops` counts the passes of the loops around the statement,
 /// the outermost first.
 void append_map_entry(std::string& out, LineSpan lines, const expand::Trace& trace,
                       const Session& session);

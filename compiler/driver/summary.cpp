@@ -126,7 +126,7 @@ void put_cycles(std::string& out, const std::vector<CycleShare>& cycles) {
     for (const CycleShare& cycle : cycles) put_row_of_work(out, cycle.cycle, cycle.share);
 }
 
-/// Where most of the time goes; a statement without a name of its own is known by its place.
+/// Where most of the time goes; a statement without a name of its own is known by its location.
 void put_longest(std::string& out, const std::vector<LocationShare>& longest, double time) {
     constexpr std::size_t kShown = 5;
     if (longest.size() < 2 || !(time > 0)) return;

@@ -51,7 +51,7 @@ inline void put_paper(std::string& out, std::string_view title) {
         escaped(title));
 }
 
-/// Title, what is below it, and in red what has to be said; empty: nothing.
+/// Title, what is below it, and in red what has to be noted; empty: nothing.
 inline void put_title(std::string& out, std::string_view title, std::string_view subtitle,
                       std::string_view warning) {
     put(out, "<text x=\"28\" y=\"38\" font-size=\"20\" font-weight=\"600\" fill=\"{}\">{}</text>\n",

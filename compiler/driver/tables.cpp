@@ -179,7 +179,7 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
     }
     const nc::Dialect& dialect = *inspected.dialect;
     if (inspected.has_mistakes) {
-        // What is tried out would only tell the same mistakes again.
+        // What is tried out would only report the same mistakes again.
         return {session.status(),
                 fmt::format("{}: the examples are tried when these are mended\n", dialect.name())};
     }

@@ -1,4 +1,4 @@
-// tables.h — `kadr explain`, `kadr dialect …`, `kadr machine …`: what Kadr's tables say.
+// tables.h — `kadr explain`, `kadr dialect …`, `kadr machine …`: what Kadr's tables hold.
 #pragma once
 
 #include <optional>

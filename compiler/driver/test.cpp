@@ -36,7 +36,7 @@ constexpr int kMostSimpler = 500;  // tries to make a failing set simpler
 
 enum class Outcome : std::uint8_t { Holds, Fails, Rejected };
 
-/// What one test said under one control.
+/// What one test reported under one control.
 struct Verdict {
     std::string dialect;
     std::vector<Diagnostic> messages;
@@ -127,7 +127,7 @@ Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& va
     return expander.failed() || messages.has_errors() ? Outcome::Fails : Outcome::Holds;
 }
 
-/// What a failed property says: the message, the values, and how to see it again.
+/// What a failed property reports: the message, the values, and how to see it again.
 Diagnostic TestRun::counterexample(std::uint32_t index, const PropertyValues& values,
                                    const PropertyValues::Set& set, const Diagnostic& first) const {
     const std::string& name = program_->code->functions[index].name;
@@ -220,7 +220,7 @@ void TestRun::run_given(std::uint32_t index, const std::string& dialect, Diagnos
 }
 
 void TestRun::report(const FunctionCode& function, const std::vector<Verdict>& verdicts) {
-    // The same words under several controls are said once.
+    // The same words under several controls are reported once.
     struct SharedMessage {
         Diagnostic diagnostic;
         std::string signature;

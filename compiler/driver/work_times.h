@@ -50,8 +50,8 @@ class WorkTimes {
 
     /// In the order in which they were called first; a tool that is called again has one row.
     std::vector<ToolShare> tools() const;
-    /// Of the cycles that the control runs, what they move themselves: the way to their places is
-    /// not theirs. The longest first.
+    /// Of the cycles that the control runs, what they move themselves: the travel to their
+    /// positions is not theirs. The longest first.
     std::vector<CycleShare> cycles() const;
     /// The longest first.
     std::vector<LocationShare> longest(std::size_t most) const;

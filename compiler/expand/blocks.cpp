@@ -31,7 +31,7 @@ constexpr std::uint32_t kOfCycles = sema::custom::kCyclePosition | sema::custom:
 
 }  // namespace
 
-/// The instruction that made the value of a word; its place is the word, not the whole block.
+/// The instruction that made the value of a word; its location is the word, not the whole block.
 std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at) const {
     const Instruction& emit = code.instructions[at];
     if (emit.op != Op::Emit) return at;  // a feed of `follow`
@@ -133,7 +133,7 @@ Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& inst
         const bool is_empty =
             block.function_count == 0 && block.given == 0 && block.motion == Function::None;
         if (!is_empty) return kDone;
-        // All that it said the target does by itself.
+        // All that it programmed the target does by itself.
         if (batch_count > in_batch) --batch_count;
         else waiting.pop_back();
         if (options.trace) traces.pop_back();
@@ -497,7 +497,7 @@ Done Expander::State::emit_text(const Instruction& instruction, const sema::Slot
     } while (!rest.empty());
     if (!is_raw) return kDone;
     modal.forget(source);
-    // No word of this control says what X is, so no text changes it.
+    // No word of this control tells what X is, so no text changes it.
     if (target.tables().forms_of[static_cast<std::size_t>(Function::DiameterOff)].empty())
         modal.lost &= ~sema::group_bit(Group::Diameter);
     return kDone;

@@ -81,7 +81,7 @@ std::string axes_text(const Wording& wording) {
            (wording.is_diameter ? " (X a diameter)" : "");
 }
 
-/// A quarter turn is 90 degrees, not what remains of it after the way through radians.
+/// A quarter turn is 90 degrees, not what remains of it after the conversion through radians.
 double neat_degrees(double angle_deg) {
     const double rounded = std::nearbyint(angle_deg * 1e9) / 1e9;
     return std::fabs(rounded - angle_deg) < 1e-12 ? rounded : angle_deg;
@@ -360,7 +360,7 @@ void Expander::State::begin_contour() {
     Recording recording;
     recording.before = modal;
     recordings.push_back(std::move(recording));
-    // A contour says the same wherever it is made: in coordinates, cut, from a point of its own.
+    // A contour is the same wherever it is made: in coordinates, cut, from a point of its own.
     modal.known = 0;
     modal.restate_motion = false;
     modal.assume(Group::Motion, Function::Line);
@@ -456,7 +456,7 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
         }
         recording.has_start = true;
         recording.start = recording.at = to;
-        // `G0 X… Y…` may say where it begins; from here on it is cut.
+        // `G0 X… Y…` may give where it begins; from here on it is cut.
         if (motion == Function::Rapid) modal.assume(Group::Motion, Function::Line);
         return kDone;
     }
@@ -496,7 +496,7 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
         }
         path::ArcTolerance tolerance;
         tolerance.mode = path::RadiusError::ShiftCenter;
-        // The last decimal of a short arc turns its centre far and moves the way by that decimal.
+        // The last decimal of a short arc turns its centre far and moves the path by that decimal.
         tolerance.shift_angle = std::numbers::pi / 4;
         arc = path::arc_about_center(ends, center, turning, tolerance);
     }
@@ -604,7 +604,7 @@ Done Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     next.depth = instruction.c;
     next.feed = arguments[at(FollowSlot::Feed)].number;
-    // X is what the program, or a contour that is being made, says; else what the contour's words
+    // X is what the program, or a contour that is being made, has it; else what the contour's words
     // were.
     const bool is_given = !recordings.empty() || modal[Group::Diameter] != Function::None;
     const Wording wording{plane, is_given ? modal.is_diameter : contour->is_diameter};

@@ -87,7 +87,7 @@ std::optional<path::CurveSample> Expander::State::curve_point(const Instruction&
             math_fault(sema::MathFault::Overflow, where);
             return std::nullopt;
         }
-        // The curve gives words; what is fitted is the way of the tool.
+        // The curve gives words; what is fitted is the path of the tool.
         const double scale = word_scale(axes[i], modal.is_diameter);
         sample.position[static_cast<Eigen::Index>(i)] = value / scale;
         sample.derivative[static_cast<Eigen::Index>(i)] = slopes[base + axes[i]] / scale;
@@ -198,7 +198,7 @@ Done Expander::State::fit_spline(const Instruction& instruction, std::uint32_t w
         return kFailed;
     }
     following->spline = std::move(fitted.spline);
-    // By intervals the first pole is where the tool is anyway.
+    // By intervals the first control point is where the tool is anyway.
     following->next_knot = target.can_write(Function::SplineInterval) ? 1 : 0;
     return kDone;
 }
@@ -245,7 +245,7 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
     }
     if (has_failed) return Progress::Failed;
     if (following->fit == nullptr) {
-        // A position by itself behind the spline is no further pole of it.
+        // A position by itself behind the spline is no further control point of it.
         modal.assume(Group::Motion, Function::Line);
         modal.restate_motion = true;
     } else if (following->fit->fault() == path::FitFault::Jump) {
@@ -256,13 +256,14 @@ Expander::State::Progress Expander::State::follow_curve(const Instruction& instr
     return Progress::Done;
 }
 
-/// Blocks of a spline: by knots one for each of them; by intervals one for each pole but the first.
+/// Blocks of a spline: by knots one for each of them; by intervals one for each control point but
+/// the first.
 std::size_t Expander::State::block_count(const path::Nurbs& spline) const {
     return target.can_write(Function::SplineInterval) ? spline.control_points.size()
                                                       : spline.knots.size();
 }
 
-/// One block of the spline: a pole with its knot or its interval, or a knot alone.
+/// One block of the spline: a control point with its knot or its interval, or a knot alone.
 Done Expander::State::emit_control_point(const FollowedBlock& next, std::uint32_t where) {
     if (!require_room(where)) return kFailed;
     const path::Nurbs& spline = following->spline;

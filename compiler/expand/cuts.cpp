@@ -146,7 +146,7 @@ static void warn_of_selection(DiagnosticBuilder builder, double tool) {
         .fix("change it: `M6`, or `tool(" + number + ")` for both");
 }
 
-/// What the interpreter finds when the text is run, said where only the text is made.
+/// What the interpreter finds when the text is run, reported where only the text is made.
 void Expander::State::warn_of_cut(std::uint32_t at, bool needs_feed) {
     if (needs_feed && !modal.has_feed && reported.first_time(ProgramNotice::Feed)) {
         // Where the control alarms, no text is written that would; the common core has no alarms.
@@ -189,7 +189,7 @@ void Expander::State::warn_of_spindle(std::uint32_t at) {
 void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     constexpr std::size_t kZ = index(Axis::Z);
     if (!block.has(nc::Slot::Z) || modal[Group::Motion] != Function::Rapid) return;
-    // On a lathe, and in another plane, Z is not the way into the workpiece.
+    // On a lathe, and in another plane, Z is not the direction into the workpiece.
     const bool is_mill = modal[Group::Plane] == Function::PlaneXy && !modal.is_diameter;
     if (!is_mill || modal[Group::Spindle] != Function::SpindleStop || block.skip_level >= 0) return;
     if (block.find(nc::Fact::AtMachinePosition) != nullptr ||
@@ -206,7 +206,7 @@ void Expander::State::check_rapid(const Block& block, std::uint32_t at) {
     if (!(target_z < 0) || (is_known && target_z >= modal.position[kZ])) return;
     if (!is_allowed(diag::RapidBelowPlane, at))
         modal.reported.count_as_reported(ProgramNotice::Rapid);
-    // As a word of the program says it.
+    // As a word of the program has it.
     const bool is_inch = modal[Group::Units] == Function::Inch;
     fault(diag::RapidBelowPlane, at).arg(is_inch ? target_z / kMmPerInch : target_z);
 }

@@ -10,7 +10,7 @@ namespace kadr::expand {
 
 namespace {
 
-/// How a cycle of the library says the size of its tool.
+/// How a cycle of the library gives the size of its tool.
 struct Role {
     std::string_view name;
     double radii = 1;  // of the tool that it is

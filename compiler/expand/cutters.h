@@ -12,7 +12,7 @@
 
 namespace kadr::expand {
 
-/// A size of the tool that a call of the library says, and another one of the machine's table.
+/// A size of the tool that a call of the library gives, and another one of the machine's table.
 struct CutterMismatch {
     std::string_view parameter;  // `tool_d`, a diameter, or `nose`, a radius
     double said = 0;             // mm
@@ -23,7 +23,7 @@ struct CutterMismatch {
 bool has_cutter(const sema::FunctionCode& cycle);
 
 /// The first size that is not the tool's. Nothing where the machine has no radius of the tool: it
-/// says nothing then.
+/// reports nothing then.
 ///
 /// registers  of the call, with its arguments
 std::optional<CutterMismatch> cutter_mismatch(const sema::FunctionCode& cycle,

@@ -2,7 +2,7 @@
 // call of the library's cycle that it becomes.
 //
 // A modal cycle belongs to the running program, as on the control: a loop or a function may make
-// its places. What the control does is what interp/cycles.cpp does with its text.
+// its positions. What the control does is what interp/cycles.cpp does with its text.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ bool is_given(const ActiveCycle& cycle, std::optional<std::size_t> parameter) {
     return parameter && (cycle.given >> *parameter & 1u) != 0;
 }
 
-/// By what a scaling would change this argument on its way to the library, where all ways of a
+/// By what a scaling would change this argument for the library, where all distances of a
 /// cycle are scaled, while the control of its source spares it.
 ///
 /// source       F 3.7 G51: Q and d of G83 and G73, the shifts of G76 and G87
@@ -159,7 +159,7 @@ Done Expander::State::require_no_stroke(std::uint32_t at) {
     return kFailed;
 }
 
-/// `X10. Z-12. R3.` among the places: from here on the cycle has these levels.
+/// `X10. Z-12. R3.` among the positions: from here on the cycle has these levels.
 void Expander::State::take_levels(Block& block) {
     const nc::Rules& rules = active_cycle.source->rules;
     const bool is_incremental = modal[Group::Distance] == Function::Incremental;
@@ -225,8 +225,8 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
     return require_no_stroke(at) ? require_words(at) : kFailed;
 }
 
-/// What the cycle so far had said holds for the next one of the mode, too. What its code says by
-/// itself is no word: `G81` does not dwell, and a P from before waits for the next `G82`.
+/// What the cycle so far had programmed holds for the next one of the mode, too. What its code has
+/// by itself is no word: `G81` does not dwell, and a P from before waits for the next `G82`.
 void Expander::State::keep_words() {
     const sema::FunctionCode& function = code.functions[active_cycle.source->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
@@ -257,7 +257,7 @@ Done Expander::State::require_words(std::uint32_t at) {
         const sema::ParameterInfo& parameter = function.parameters[i];
         const auto word = std::ranges::find(kHeldWords, parameter.name, &HeldWord::parameter);
         const bool is_level = parameter.name == "to" || parameter.name == "retract";
-        if (is_given(active_cycle, i) || parameter.name == "pitch") continue;  // F says the pitch
+        if (is_given(active_cycle, i) || parameter.name == "pitch") continue;  // F gives the pitch
         if (!is_level && parameter.has_default) continue;
         if (!missing.empty()) missing += ' ';
         if (word != kHeldWords.end()) missing += word->letter;

@@ -64,12 +64,12 @@ struct ExpandOptions {
     /// The machine for which tilted planes are worked out where the target has no words for them;
     /// asked when one is met, null if it cannot be loaded.
     std::function<const machine::Machine*()> machine = nullptr;
-    bool checks_cutters = true;  // that a call says the cutter that this machine has
-    /// Whether the source allows this warning at this place; empty: nothing is allowed.
+    bool checks_cutters = true;  // that a call names the cutter that this machine has
+    /// Whether the source allows this warning at this location; empty: nothing is allowed.
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     std::vector<nc::Refusal>* refusals = nullptr;  // gets forms of cycles that do not fit a call
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
-    Files* files = nullptr;                   // says which tables and images may be read; null: any
+    Files* files = nullptr;  // knows which tables and images may be read; null: any
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
 
@@ -95,11 +95,11 @@ class Expander final : public Stream<nc::Block> {
         const path::Contour* shape = nullptr;  // for a parameter that is a contour, …
         path::Plane plane = path::Plane::Zx;   // its plane,
         bool is_diameter = false;              // and whether X of its points is a diameter
-        bool x_is_diameter = true;             // X of the position; else the cycle says so
+        bool x_is_diameter = true;             // X of the position; else the cycle sets it
     };
     /// Starts a cycle by name with arguments as the interpreter has them (mm, deg, s). A contour
-    /// stands for all that its place has more of them: the numbers of its first and last block, or
-    /// its name.
+    /// stands for all that its argument has more of them: the numbers of its first and last block,
+    /// or its name.
     Done start_cycle(std::string_view cycle, std::span<const double> arguments, std::uint32_t given,
                      const Surroundings& at);
 
@@ -110,7 +110,8 @@ class Expander final : public Stream<nc::Block> {
     std::optional<std::vector<sema::Slot>> read_values(std::uint32_t function,
                                                        const std::vector<sema::Define>& defines);
     /// Starts the call that a test has executed, as a program of its own: globals are fresh. A
-    /// cycle or a function begins with the spindle on, a feed set, at a place that the test names.
+    /// cycle or a function begins with the spindle on, a feed set, at a position that a test
+    /// names.
     void start_call(const CallUnderTest& call);
 
     /// Warns of cuts that the interpreter would warn of, for whom only makes the text.

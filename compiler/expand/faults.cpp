@@ -1,4 +1,4 @@
-// faults.cpp — errors of a running program: the place, the reason, and who called whom.
+// faults.cpp — errors of a running program: the location, the reason, and who called whom.
 #include <algorithm>
 
 #include "base/diagnostics/expand.h"
@@ -7,7 +7,7 @@
 namespace kadr::expand {
 
 namespace {
-// A runaway recursion has a thousand calls; both ends of the list say what happened.
+// A runaway recursion has a thousand calls; both ends of the list show what happened.
 constexpr std::size_t kShownCalls = 8;
 }  // namespace
 

@@ -56,8 +56,8 @@ Done Expander::State::check_factor(double factor, std::uint32_t at) {
     return kFailed;
 }
 
-/// The values of frames that a block says itself: mirrors that all end, factors that are some, and
-/// an angle of less than a turn, which is all that controls take (F 3.7 G68: ±360).
+/// The values of frames that a block has itself: mirrors that all end, factors that are some, and
+/// an angle of less than a revolution, which is all that controls take (F 3.7 G68: ±360).
 Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& frame = block.functions[i];
@@ -160,7 +160,7 @@ void Expander::State::scale_frame_x(Block& block, double factor) const {
     }
 }
 
-/// Says the way from the present frame to another one in functions that every control has: the
+/// Writes the change from the present frame to another one in functions that every control has: the
 /// whole shift, which deletes all else, then mirrors, scale and rotation anew, in the order in
 /// which FANUC takes them. An unequal scale stands inside the rotation.
 void Expander::State::write_frame(const control::ProgramFrame& next, SourceId source,
@@ -182,7 +182,7 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
         if (options.trace) keep_trace(at, depth, source);
     };
     const std::array<bool, 3> none{};
-    // What is in force already need not be said anew, if nothing behind it has to go.
+    // What is in force already need not be written anew, if nothing behind it has to go.
     const bool keeps_shift = from.shift == next.shift && from.is_shifted == next.is_shifted;
     const bool keeps_mirrors = !from.has_mirror() || from.is_mirrored == next.is_mirrored;
     const bool adds_only =
@@ -229,8 +229,8 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
     modal.lost &= ~sema::kFrameBit;
 }
 
-/// The whole frame of the program, where the control may have taken it off: said on top of itself
-/// it is the same. S 7.1.
+/// The whole frame of the program, where the control may have taken it off: written on top of
+/// itself it is the same. S 7.1.
 void Expander::State::put_frame_again(SourceId source, std::uint32_t at, unsigned depth) {
     const bool is_known = (modal.lost & sema::kFrameBit) == 0;
     if (!is_known || modal.frame.is_identity()) return;

@@ -1,5 +1,5 @@
-// input.cpp — blocks written the way of another control: the target shall do what that control
-// would have done with them, or the program ends with a message.
+// input.cpp — blocks written in the manner of another control: the target shall do what that
+// control would have done with them, or the program ends with a message.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -87,7 +87,7 @@ control::ProgramFrame frame_behind(control::FrameSteps steps, const sema::Plan& 
     return steps.frame().frame;
 }
 
-/// Whether the block says words of axes.
+/// Whether the block has words of axes.
 bool names_axes(const sema::Plan& plan, const Instruction& instruction) {
     return (instruction.op == Op::Emit && instruction.b != 0) ||
            (plan.given & nc::kTargetSlots) != 0 ||
@@ -118,7 +118,7 @@ std::optional<double> length_behind(const ModalState& modal, const Block& block)
 /// `G49;` of a control that travels the change of the length at once: the axis goes where its
 /// coordinate is the same with the new length.
 ///
-/// returns  the function whose way nobody can say, because the coordinate is not known; None
+/// returns  the function whose travel nobody knows, because the coordinate is not known; None
 Function name_length_axis(ModalState& modal, Block& block) {
     const std::optional<double> before = length_behind(modal, Block{});
     const std::optional<double> behind = length_behind(modal, block);
@@ -144,12 +144,12 @@ bool Expander::State::needs_frame(const sema::Plan& plan) const {
     return false;
 }
 
-/// Whether one of its functions is said as the whole frame that it leaves.
+/// Whether one of its functions is written as the whole frame that it leaves.
 bool Expander::State::needs_frame(const sema::Plan& plan, std::size_t invocation) const {
     const Function function = plan.functions[invocation].function;
     switch (function) {
         case Function::ShiftAdd: return !target.can_write(function);
-        // Of some axes: the others' mirrors are said anew.
+        // Of some axes: the others' mirrors are written anew.
         case Function::MirrorOff:
             if (frame_behind(modal.steps, plan, invocation).has_mirror()) return true;
             [[fallthrough]];
@@ -193,8 +193,8 @@ Done Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocat
     return kDone;
 }
 
-/// The frame that the functions leave is said by shift, rotation and mirrors; what else stands in
-/// the block comes behind it.
+/// The frame that the functions leave is written by shift, rotation and mirrors; what else stands
+/// in the block comes behind it.
 Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
                                  const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -215,7 +215,7 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         if (is_bound && !require_free_frame(function, at)) return kFailed;
         delete_steps(steps, plan, i);
         if (function != Function::ShiftAdd && function != Function::Rotate) continue;
-        // These stand in blocks of their own: nothing is left to say.
+        // These stand in blocks of their own: nothing is left to write.
         std::array<double, 4> values{};
         std::array<bool, 4> given{};
         if (!read_arguments(plan, i, instruction, registers, at, values, given)) return kFailed;
@@ -242,7 +242,7 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
     return emit_rest(plan, instruction, registers, at);
 }
 
-/// What a block says besides the functions whose frame has been said.
+/// What a block programs besides the functions whose frame has been written.
 Done Expander::State::emit_rest(const sema::Plan& plan, const Instruction& instruction,
                                 const sema::Slot* registers, std::uint32_t at) {
     sema::Plan rest = plan;
@@ -352,7 +352,7 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
     return kDone;
 }
 
-/// The first one of them, as a program says it.
+/// The first one of them, as a program has it.
 static std::string_view word_of_plane(nc::PlaneMask planes) {
     if ((planes & nc::bit_of_plane(Function::PlaneXy)) != 0) return "G17";
     return (planes & nc::bit_of_plane(Function::PlaneZx)) != 0 ? "G18" : "G19";
@@ -429,7 +429,8 @@ Done Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::u
 void Expander::State::say_offset(const sema::Plan& plan, const Instruction& instruction,
                                  std::uint32_t at) {
     const bool moves = names_axes(plan, instruction);
-    // A return that the target does not have goes over its place with a block of its own.
+    // A return that the target does not have goes over its intermediate point with a block of its
+    // own.
     const bool has_return = target.can_write(Function::ReferenceReturn);
     const bool is_elsewhere =
         std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
@@ -561,7 +562,8 @@ Done Expander::State::name_positions(Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((modal.known & bit) == 0) {
-            // The block stands under absolute dimensions then: what stays a way says so itself.
+            // The block stands under absolute dimensions then: what stays a distance is marked by
+            // itself.
             if (is_modal && (block.given & bit) != 0 && is_increment(block, bit))
                 block.incremental |= bit;
             if ((modal.unplaced & ~block.given & bit) == 0) continue;
@@ -629,8 +631,8 @@ void Expander::State::return_to_increments(Block& block) {
         block.add(Function::Incremental);
 }
 
-/// A return to the reference point that goes over no other place, for a target without words for
-/// the way there.
+/// A return to the reference point that goes over no intermediate point, for a target without words
+/// for the motion there.
 void Expander::State::say_reference(Block& block) {
     if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
         return;
@@ -641,7 +643,7 @@ void Expander::State::say_reference(Block& block) {
         if ((named & bit) == 0) continue;
         const bool is_distance =
             (block.incremental & bit) != 0 || (is_modal && (block.absolute & bit) == 0);
-        // What goes over a place the writer refuses.
+        // What goes over a point the writer refuses.
         if (i >= 3 || !is_distance || block.values[i] != 0) return;
     }
     if (named == 0) return;
@@ -660,7 +662,8 @@ void Expander::State::say_reference(Block& block) {
     block.absolute &= ~named;
 }
 
-/// A return over another place, for a target that goes straight: at rapid to the place, then on.
+/// A return over an intermediate point, for a target that goes straight: at rapid to that point,
+/// then on.
 void Expander::State::go_over_position(SourceId source) {
     if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
         return;
@@ -671,7 +674,7 @@ void Expander::State::go_over_position(SourceId source) {
     const double point = way.argument(*found, kPoint, 1);
     erase(way, static_cast<std::size_t>(found - way.functions.data()));
     way.motion = Function::Rapid;
-    // The motion that the program has said is not changed by the return.
+    // The programmed motion is not changed by the return.
     if (modal[Group::Motion] != Function::Rapid) modal.restate_motion = true;
     const std::int8_t skip_level = way.skip_level;
     const std::uint16_t further_skip_levels = way.further_skip_levels;
@@ -776,7 +779,8 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
     return kDone;
 }
 
-/// The common core has the words of both ways: those that the target has not are said in its own.
+/// The common core has the words of both ways: those that the target has not are written in its
+/// own.
 Done Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
     const bool by_tool = target.counts_offsets_by_tool();
     for (std::size_t i = 0; i < block.function_count; ++i) {

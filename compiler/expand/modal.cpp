@@ -46,7 +46,7 @@ ModalState ModalState::at_start(const sema::FunctionCode& entry) {
         state.diameter_due = Function::DiameterOn;
     }
     // Path mode and work offset are whatever the control has, and so is whether X is a diameter: a
-    // program that needs one of them says so.
+    // program that needs one of them programs it.
     return state;
 }
 
@@ -67,13 +67,13 @@ void ModalState::set_frame(const control::ProgramFrame& next, SourceId source) {
         known = static_cast<AxisMask>(moved.is_known[i] ? known | bit : known & ~bit);
     }
     if ((lost & sema::kFrameBit) != 0) known &= static_cast<AxisMask>(~kLinearXYZ);
-    // Where a program turns and does not say whether its X is a diameter, the control knows alone
+    // Where a program turns and does not tell whether its X is a diameter, the control knows alone
     // what a frame makes of it.
     const bool may_be_diameter =
         (*this)[Group::Diameter] == Function::None && (*this)[Group::Plane] == Function::PlaneZx;
     if (may_be_diameter && next.differs(frame, 0)) known &= static_cast<AxisMask>(~bit(Axis::X));
     is_position_due = true;
-    // A control that has its rotation innermost says it again behind every other change.
+    // A control that has its rotation innermost writes it again behind every other change.
     const bool turns = next.angle_deg != 0 || frame.angle_deg != 0;
     if (turns && next != frame) unplaced |= (next.angle_deg != 0 ? next : frame).plane_mask();
     frame = next;
@@ -154,7 +154,7 @@ void ModalState::put_frame(const control::ProgramFrame& next, SourceId source) {
     note_lost_positions(before, source, Loss::Control);
 }
 
-/// In the frames that blocks have said and in those of their text alike.
+/// In the frames that blocks have programmed and in those of their text alike.
 template <typename Change>
 void ModalState::change_steps(SourceId source, Change change) {
     change(steps);
@@ -220,12 +220,12 @@ void ModalState::select_work_offset(double number) {
 /// Where the words of the block have brought its axes, only the control knows.
 void ModalState::lose_words(const nc::Block& block, const nc::Effect& effect) {
     auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
-    // In machine coordinates one axis moves: along a turned system several coordinates change.
+    // In machine coordinates one axis moves: along a rotated system several coordinates change.
     const bool is_machine = effect.function == Function::MachineCoordinates;
     const bool turns_axes = frame.angle_deg != 0 || tilt != PlaneTilt::None;
     if (is_machine && turns_axes && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
     known &= static_cast<AxisMask>(~axes);
-    // The control may count an increment from the number that was said there.
+    // The control may count an increment from the number that was programmed there.
     if (is_machine) lose_drift(axes);
 }
 
@@ -240,8 +240,8 @@ void ModalState::go_to_point(const nc::Block& block, const nc::Effect& effect) {
     forget_drift(named);
 }
 
-/// Where the tools of a program are, as far as it says: what turns in G18, or has diameters, is the
-/// part.
+/// Where the tools of a program are, as far as is known: what turns in G18, or has diameters, is
+/// the part.
 nc::Changer ModalState::changer() const {
     const bool turns = is_diameter || (*this)[Group::Plane] == Function::PlaneZx;
     return turns ? nc::Changer::Turret : nc::Changer::Magazine;
@@ -309,7 +309,7 @@ void ModalState::take(const nc::Block& block, const nc::Effect& effect, const nc
             is_turned = true;  // as the plane before had left the axes
             break;
         case Kind::SwitchesTcp:
-            // As a kind of tool length, orienting.cpp says it.
+            // As a kind of tool length, orienting.cpp handles it.
             if (effect.function == Function::TcpOn) tcp = Tcp::Own;
             if (effect.function == Function::TcpOff) tcp = Tcp::Off;
             lose_axes(kLinearXYZ);
@@ -399,7 +399,7 @@ void ModalState::set_member(const nc::Block& block, const nc::Effect& effect) {
 
 /// Follows what acts if the operator leaves out the blocks that he may, beside what acts if not.
 ///
-/// skip_level         level of the block that says the compensation or its end; -1 none
+/// skip_level         level of the block that programs the compensation or its end; -1 none
 void ModalState::choose_compensation(Function side, int skip_level, SourceId source) {
     if (skip_level < 0) {
         comp_without = side;
@@ -469,7 +469,7 @@ void ModalState::lose_spindle(SourceId source) {
     lost_in = Loss::Control;
 }
 
-/// A number that was said stays, whichever way the length counts.
+/// A number that was programmed stays, whichever way the length counts.
 void ModalState::take_length_offset(const nc::Block& block, const nc::Effect& effect) {
     if (effect.function == Function::LengthCompOff) return;
     constexpr std::size_t kOffset =

@@ -56,7 +56,7 @@ struct ModalState {
     double master_spindle = 1;  // whose sense M3, M4 and M5 are; 0: nobody knows
     bool has_feed = false;
     bool has_speed = false;
-    bool had_cutting_speed = false;  // S has been said under constant cutting speed
+    bool had_cutting_speed = false;  // S has been programmed under constant cutting speed
     bool is_feed_lost = false;       // it was given, and then the feed mode changed
     double feed = 0;                 // as in Block
     double speed = 0;
@@ -68,11 +68,11 @@ struct ModalState {
     AxisValues position{};                         // in the programmable frame, mm, degrees
     AxisMask known = 0;                            // which of them are known
     std::array<LostBy, kAxes> position_lost_by{};  // holds if it was known before
-    Drift drift;                                   // from what the program has said …
-    Drift text_drift;               // … and from what its text has, which names more
-    AxisMask named_by_text = 0;     // axes of the block that is made which the program has not said
-    bool is_position_due = false;   // the frame has changed since a block was made
-    AxisMask unplaced = 0;          // of which no place was named since a rotation began or ended
+    Drift drift;                                   // from what is programmed …
+    Drift text_drift;              // … and from what its text has, which names more
+    AxisMask named_by_text = 0;    // axes of the block that is made, not programmed
+    bool is_position_due = false;  // the frame has changed since a block was made
+    AxisMask unplaced = 0;         // of which no position was named since a rotation began or ended
     bool owes_incremental = false;  // the text is under absolute dimensions for one block
     bool is_diameter = false;       // words of X
     control::ProgramFrame frame;
@@ -91,13 +91,13 @@ struct ModalState {
     Tcp tcp = Tcp::Off;
     double tcp_offset = 0;  // Length: number of the offset
     nc::Function before_tcp = nc::Function::LengthCompOff;
-    bool is_inclined = false;  // the tool has been turned away from Z under it
+    bool is_inclined = false;  // the tool has been inclined away from Z under it
     bool is_turned = false;    // rotary axes may stand elsewhere than at 0
     SourceId frame_by;
     SourceId feed_by;
     SourceId speed_by;
     bool restate_motion = false;  // after a native cycle
-    int due_offset = 0;           // of the control of a source, to be said before the first move
+    int due_offset = 0;  // of the control of a source, to be programmed before the first move
     // Under which cutter radius compensation the tool moved in the plane last; None: not known.
     nc::Function moved_under = nc::Function::RadiusCompOff;
     // … and whether it compensates at all is the operator's choice: the level of the blocks that he
@@ -107,24 +107,24 @@ struct ModalState {
     SourceId comp_by;
     static constexpr int kNoChoice = -1;
     static constexpr int kSeveralLevels = -2;
-    nc::Function diameter_due = nc::Function::None;  // what X is; the text does not say it yet
+    nc::Function diameter_due = nc::Function::None;  // what X is; the text does not have it yet
     bool is_edge_off = false;      // `D0` of a source that counts edges: no tool length
     bool is_feed_deleted = false;  // by a feed mode of a source whose control does that
-    sema::ModalMask lost = 0;      // what something has made unknown: it must be said again
+    sema::ModalMask lost = 0;      // what something has made unknown: it must be programmed again
     SourceId lost_by;              // statement that did so last
     Loss lost_in = Loss::RawText;
-    sema::ModalMask restate = 0;    // set by a block that may be left out: the output says it again
+    sema::ModalMask restate = 0;    // set by a block that may be left out: written again
     bool spindle_in_doubt = false;  // likewise, but the operator's choice
-    bool lacks_speed = true;        // no S was said, and no text of unknown meaning stood there
-    ReportedInProgram reported;     // of this state; a change of it renews that
-    bool has_ended = false;         // behind M30
+    bool lacks_speed = true;     // no S was programmed, and no text of unknown meaning stood there
+    ReportedInProgram reported;  // of this state; a change of it renews that
+    bool has_ended = false;      // behind M30
     SourceId ended_by;
 
     nc::Function operator[](nc::Group group) const {
         return active[static_cast<std::size_t>(group)];
     }
 
-    /// A member that acts without a block of its own that says so.
+    /// A member that acts without a block of its own that programs it.
     void assume(nc::Group group, nc::Function member) {
         active[static_cast<std::size_t>(group)] = member;
     }
@@ -149,7 +149,7 @@ struct ModalState {
     /// All of that.
     void take_block(const nc::Block& block, const nc::Rules& target);
     nc::Changer changer() const;
-    /// Whether the spindle turns, as far as the program says.
+    /// Whether the spindle turns, as far as the program is known.
     bool is_spindle_turning() const {
         const nc::Function spindle = (*this)[nc::Group::Spindle];
         const bool is_on = spindle == nc::Function::SpindleCw ||
@@ -172,16 +172,16 @@ struct ModalState {
     void forget_feed(SourceId source);
     /// Keeps what is so whether the operator lets a block run, as it did here, or leaves it out.
     ///
-    /// without  the state before it. What the writer says again by itself is as the block says it
+    /// without  the state before it. What the writer writes again by itself is as the block has it
     void join(const ModalState& without, SourceId block);
     void set_frame(const control::ProgramFrame& frame, SourceId source);
-    /// The frame, as blocks have said it anew.
+    /// The frame, as blocks have programmed it anew.
     void put_frame(const control::ProgramFrame& frame, SourceId source);
     /// Of the program and of its text alike.
     void forget_drift(AxisMask axes);
     void lose_drift(AxisMask axes);
     void lose_all_drift();
-    /// Axes whose words a block may have to say otherwise than the program does.
+    /// Axes whose words a block may have to give otherwise than the program does.
     AxisMask adapts() const { return drift.acts() | text_drift.acts() | unplaced; }
     /// 3, 4, 5 as in M3, M4, M5.
     void turn_spindle(const nc::Block& block, const nc::Effect& effect);

@@ -31,7 +31,7 @@ static bool has_feed(const sema::ParameterInfo& parameter) {
     return parameter.name == "pitch" || parameter.name == "lead" || parameter.name == "per_turn";
 }
 
-/// `SST` and `SST1` alike: a way out with the speed of the way in is none of its own.
+/// `SST` and `SST1` alike: a retraction with the speed of the infeed is none of its own.
 static void forget_equal_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
                               std::span<double> values) {
     const auto at = nc::find_parameter(parameters, "at");
@@ -42,7 +42,7 @@ static void forget_equal_back(std::span<const sema::ParameterInfo> parameters, s
 }
 
 /// How a cycle leaves the spindle if the last of its own blocks that is about it makes it stand;
-/// None: it turns on, or nothing is said of it.
+/// None: it turns on, or nothing is known of it.
 static Function standing_behind(const sema::Code& code, const sema::FunctionCode& cycle) {
     Function last = Function::None;
     for (std::uint32_t i = cycle.body; i < cycle.end; ++i) {
@@ -78,7 +78,7 @@ static bool is_spared_by_source(const ActiveCycle& cycle, const sema::Code& code
 }
 
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
-/// program does not say the cycle.
+/// program does not write the cycle.
 bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) const {
     if (is_spared_by_source(active_cycle, code, frames.back())) return false;
     const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
@@ -99,7 +99,7 @@ void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
     builder.fix("end it before: `G40` with a move");
 }
 
-/// A control that has cycles of its own, none of which is known to tap as the call says.
+/// A control that has cycles of its own, none of which is known to tap as the call wants.
 void Expander::State::warn_of_tap() {
     const CallFrame& frame = frames.back();
     const bool is_called = frames.size() > 1 && frame.return_to > 0;
@@ -145,14 +145,14 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         if (kind == Kind::Number && is_as_given && (active_cycle.given >> i & 1u) != 0)
             values[i] = active_cycle.arguments[i];
         if (kind != Kind::Feed && kind != Kind::Speed) continue;
-        // Cycles of controls know feeds per minute and speeds in turns only.
+        // Cycles of controls know feeds per minute and speeds in revolutions only.
         if (sema::is_second_form(values[i])) return CycleOutcome::Moves;
         values[i] = neat(values[i] * kMinute);
     }
     const std::span<const double> arguments(values.data(), parameters.size());
     forget_equal_back(parameters, given, values);
     if (!target.has_native_cycle(cycle, given, arguments, options.refusals)) {
-        // A call in the control's own words: what it does not say, the control has by itself.
+        // A call in the control's own words: what it does not give, the control has by itself.
         given &= frame.given;
         const bool is_programmed = active_cycle.is_running;
         if (!is_programmed || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
@@ -196,7 +196,7 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     modal.restate_motion = true;
     if (const Function left = standing_behind(code, *frame.function); left != Function::None)
         modal.switch_spindle(left, source);
-    // The cycle names coordinates of its own; which ones only one that drills in Z tells.
+    // The cycle names coordinates of its own; which ones only one that drills in Z shows.
     const bool drills_in_z = std::ranges::any_of(parameters, [&](const sema::ParameterInfo& p) {
         return p.name == "initial" && (given >> (&p - parameters.data()) & 1u) != 0;
     });

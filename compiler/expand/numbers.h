@@ -7,7 +7,7 @@ namespace kadr::expand {
 
 inline constexpr double kMinute = 60;  // s
 
-/// Anything a control could be told; beyond it the calculation has run away.
+/// Anything a control could be given; beyond it the calculation has run away.
 inline bool is_sane(double value) { return std::fabs(value) < 1e15; }
 
 /// 240 m/min is 240·1000/60 mm/s and comes back as 240.00000000000003: what was a short decimal

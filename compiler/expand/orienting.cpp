@@ -58,8 +58,8 @@ int digits_of(const nc::DialectTables& tables) {
     return kDirectionDigits;
 }
 
-/// The direction in numbers that the control writes without loss: as it was said if they are, else
-/// of a length that shows enough digits.
+/// The direction in numbers that the control writes without loss: as it was programmed if they are,
+/// else of a length that shows enough digits.
 Vec3 written(const Vec3& programmed, int digits) {
     const double unit = std::pow(10.0, digits);
     const auto is_whole = [&](double value) {
@@ -89,7 +89,7 @@ void Expander::State::put_function(Function function, std::span<const Argument> 
     if (options.trace) keep_trace(at, depth, source);
 }
 
-/// Tool centre point control, its ways and directions, and what must not stand under it.
+/// Tool centre point control, its interpolation and directions, and what must not stand under it.
 Expander::State::ToolTaken Expander::State::take_tool(const sema::Plan& plan,
                                                       const Instruction& instruction,
                                                       std::uint32_t at) {
@@ -157,7 +157,7 @@ std::optional<double> Expander::State::length_number() const {
     return std::nullopt;
 }
 
-/// call         functions of the block; those beside TcpOn say ways and systems
+/// call         functions of the block; those beside TcpOn choose interpolation and systems
 Done Expander::State::begin_tcp(std::span<const nc::Invocation> call, SourceId source,
                                 std::uint32_t at, unsigned depth) {
     const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
@@ -196,8 +196,8 @@ Done Expander::State::begin_tcp(std::span<const nc::Invocation> call, SourceId s
     return choose_orient_interpolation(orientation, source, at, depth);
 }
 
-/// Whether the switch takes the work offset off is a matter of the machine: said behind it, it acts
-/// on each.
+/// Whether the switch takes the work offset off is a matter of the machine: programmed behind it,
+/// it acts on each.
 void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsigned depth) {
     if (!target.rules().transformation_wants_offset) return;
     if ((modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
@@ -208,7 +208,7 @@ void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsign
     put_function(Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
 }
 
-/// Great circles or the rotary axes in proportion, on a control that says so with the length.
+/// Great circles or the rotary axes in proportion, on a control that programs it with the length.
 Done Expander::State::choose_orient_interpolation(Function orientation, SourceId source,
                                                   std::uint32_t at, unsigned depth) {
     modal.assume(Group::OrientInterpolation, orientation);
@@ -267,7 +267,7 @@ Done Expander::State::require_leading_tool(std::uint32_t at) {
     return kFailed;
 }
 
-/// The direction that a block says, in numbers that the target writes.
+/// The direction that a block gives, in numbers that the target writes.
 Done Expander::State::settle_direction(Block& block, std::uint32_t at) {
     constexpr std::size_t kComponent = nc::parameter_of<Function::ToolVector>("component");
     constexpr std::size_t kValue = nc::parameter_of<Function::ToolVector>("value");

@@ -1,4 +1,4 @@
-// reported_in_program.h — what a program is told once and not again. For the room expand only.
+// reported_in_program.h — what is reported once in a program. For the room expand only.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace kadr::expand {
 
-/// What is told once, or once more when it is renewed.
+/// What is reported once, or once more when it is renewed.
 enum class ProgramNotice : std::uint8_t {
     AfterEnd,  // blocks behind M30; anew behind another one
-    Diameter,  // a lathe's X is not said to be one
+    Diameter,  // a lathe's X is not programmed as one
     Feed,      // none was ever set
     NoTool,    // none was ever called
     Plane,     // the tool's length turns with it
@@ -24,23 +24,23 @@ enum class ProgramNotice : std::uint8_t {
 
 class ReportedInProgram : public ReportedOnce<ProgramNotice> {
   public:
-    /// The spindle was switched: what was said of it is said anew.
+    /// The spindle was switched: what was reported of it is reported anew.
     void renew_spindle() {
         renew(ProgramNotice::SpindleStopped);
         renew(ProgramNotice::Rapid);
     }
 };
 
-/// What is told once at a place of the program, until it is told at another.
+/// What is reported once at a location of the program, until it is reported at another.
 enum class NoticeAt : std::uint8_t {
     Spline,     // the control has none
-    Tap,        // the control has cycles, but none that taps as the call says
+    Tap,        // the control has cycles, but none that taps as the call wants
     Tolerance,  // the control's increments do not let a curve keep it
 };
 
 class ReportedAt {
   public:
-    /// Whether it is to be told there: from here on it counts as told.
+    /// Whether it is to be reported there: from here on it counts as reported.
     [[nodiscard]] bool first_time(NoticeAt what, std::uint32_t at) {
         return std::exchange(places_[static_cast<std::size_t>(what)], at) != at;
     }

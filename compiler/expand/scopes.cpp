@@ -21,7 +21,7 @@ Done Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned dep
     return set_back(scope, source, at, depth);
 }
 
-/// Where the program has said no work offset, that of the text's head acts.
+/// Where no work offset is programmed, that of the text's head acts.
 void Expander::State::take_offset_of_head(ModalState& state) const {
     const bool is_lost = (state.lost & sema::group_bit(Group::WorkOffsets)) != 0;
     if (is_lost || state[Group::WorkOffsets] != Function::None || state.due_offset != 0) return;
@@ -104,7 +104,7 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
 
 namespace {
 
-/// How a program says what a cycle preserves: `preserves G90, DIAMOF`.
+/// How a program names what a cycle preserves: `preserves G90, DIAMOF`.
 std::string_view word_of_need(Function needed) {
     switch (needed) {
         case Function::Absolute: return "G90";
@@ -144,7 +144,7 @@ Done Expander::State::check_needs(std::uint32_t at) {
     for (const Function needed : frame.function->needs) {
         const Function active = modal[nc::info(needed).group];
         const bool is_lost = (modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
-        // Where the control says so by itself, X is a diameter without a word.
+        // Where the control knows it by itself, X is a diameter without a word.
         const bool is_other = needed == Function::DiameterOff && modal.is_diameter;
         if (active == needed || (active == Function::None && !is_lost && !is_other)) continue;
         if (needed == Function::RadiusCompOff && !is_lost) {
@@ -173,7 +173,7 @@ Done Expander::State::check_needs(std::uint32_t at) {
         }
         return kFailed;
     }
-    // The cutter that the call says is the one that the machine has; where only the text is made,
+    // The cutter that the call names is the one that the machine has; where only the text is made,
     // another one is a warning.
     if (!modal.has_tool_in || frames.size() < 2 || frame.return_to == 0 || !options.machine ||
         !options.checks_cutters || !has_cutter(*frame.function))

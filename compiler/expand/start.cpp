@@ -49,7 +49,7 @@ std::optional<double> read_quantity(const ParameterInfo& parameter, sema::Units 
     return std::nullopt;
 }
 
-/// A note for what no line of a source says.
+/// A note for what no line of a source has.
 std::string from_command_line(std::string_view name, std::string_view value) {
     return "it is set by the option `-D " + std::string(name) + '=' + std::string(value) + '`';
 }
@@ -293,8 +293,8 @@ Done Expander::State::start_cycle(std::string_view name, std::span<const double>
                                             code.functions[0].registers + 16));
     options.native_cycles = false;  // this is the body of a native one
     modal = first_state(function);
-    // Whether X is a diameter the program has said that calls it; a cycle that needs diameters
-    // where it has said radii begins with that.
+    // Whether X is a diameter the program has set that calls it; a cycle that needs diameters
+    // where it has set radii begins with that.
     const bool turns = modal.diameter_due != nc::Function::None;
     const bool needs_diameter = turns && !at.x_is_diameter;
     modal.assume(nc::Group::Diameter, nc::Function::None);

@@ -2,7 +2,7 @@
 //
 // The chapters: vm.cpp (the instructions), blocks.cpp (blocks, frames, `with`), tilted_planes.cpp
 // and orienting.cpp (planes and directions of five axes), input.cpp and cycles.cpp (blocks written
-// the way of another control), contours.cpp, unknown.cpp (modal state that is not known),
+// in the manner of another control), contours.cpp, unknown.cpp (modal state that is not known),
 // curves.cpp, faults.cpp (errors with the call stack), start.cpp (programs, parameters), tests.cpp,
 // text_format.cpp. For the room expand only.
 #pragma once
@@ -74,7 +74,7 @@ struct FollowedBlock {
 /// A curve that is being followed: its blocks may fill several batches.
 struct Following {
     std::unique_ptr<path::CurveFit> fit;
-    path::Nurbs spline;         // its poles are the blocks, if it has any; then there is no fit
+    path::Nurbs spline;  // its control points are the blocks, if it has any; then there is no fit
     std::size_t next_knot = 0;  // of the spline: block number
     path::Plane plane = path::Plane::Xy;
     std::array<bool, 3> is_given{};  // coordinates, in the order of the plane
@@ -83,7 +83,7 @@ struct Following {
     FollowedBlock next;
 };
 
-/// A word of a cycle's mode that the next cycle need not say again, and the parameter that it
+/// A word of a cycle's mode that the next cycle need not give again, and the parameter that it
 /// gives.
 struct HeldWord {
     std::string_view parameter;
@@ -92,15 +92,15 @@ struct HeldWord {
 inline constexpr std::array<HeldWord, 4> kHeldWords = {
     {{"to", 'Z'}, {"retract", 'R'}, {"peck", 'Q'}, {"dwell", 'P'}}};
 
-/// The cycle of the input dialect's control that was said last; see sema::SourceCycle.
+/// The cycle of the input dialect's control that was programmed last; see sema::SourceCycle.
 struct ActiveCycle {
     const sema::SourceCycle* source = nullptr;
-    bool is_active = false;   // further blocks are places of it
+    bool is_active = false;   // further blocks are positions of it
     bool is_due = false;      // RunCycle calls it
     bool is_running = false;  // its blocks are being made
     std::array<double, nc::kMaxArguments> arguments{};
     std::uint32_t given = 0;  // bit i: argument i
-    /// Words of the mode that further cycles need not say again, by the parameters of the library.
+    /// Words of the mode that further cycles need not give again, by the parameters of the library.
     std::array<std::optional<double>, kHeldWords.size()> held;
     control::CycleLevels levels;
     bool returns_low = false;   // G99: to the retract level, not to where the mode began
@@ -231,7 +231,7 @@ struct Expander::State {
     Done check_leading(const nc::Block& block, std::uint32_t at);
 
     // ---- input.cpp: what the control of the input dialect would have done
-    /// Whether a function of the plan has no word in the target, but a frame says the same.
+    /// Whether a function of the plan has no word in the target, but a frame does the same.
     bool needs_frame(const sema::Plan& plan) const;
     bool needs_frame(const sema::Plan& plan, std::size_t invocation) const;
     Done read_arguments(const sema::Plan& plan, std::size_t invocation,
@@ -274,10 +274,10 @@ struct Expander::State {
     Done refuse_beside_cycle(std::string_view what, std::uint32_t at);
     Done require_between_positions(const sema::Plan& plan, const Instruction& instruction,
                                    std::uint32_t at);
-    /// A block of a source that has cycles, with all its words: a place, or the end of the mode.
+    /// A block of a source that has cycles, with all its words: a position, or the end of the mode.
     Done take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void take_levels(nc::Block& block);
-    /// `Q2.` or `P100` beside a place: the stroke or the dwell from here on.
+    /// `Q2.` or `P100` beside a position: the stroke or the dwell from here on.
     Done require_no_stroke(std::uint32_t at);
     Done take_cycle_words(const nc::Block& block, const nc::Invocation& invocation,
                           std::uint32_t at);
@@ -318,11 +318,11 @@ struct Expander::State {
     Done check_cut(const nc::Block& block, std::uint32_t at);
     void warn_of_cut(std::uint32_t at, bool needs_feed = true);
     void warn_of_spindle(std::uint32_t at);
-    /// Whether a comment in the source silences the warning there: it is not said then.
+    /// Whether a comment in the source silences the warning there: it is not reported then.
     bool is_allowed(const DiagnosticRow& row, std::uint32_t at) const {
         return options.is_allowed && options.is_allowed(row, code.locations[at]);
     }
-    /// Whether no tool was called, and that has not been told yet.
+    /// Whether no tool was called, and that has not been reported yet.
     bool misses_tool() const {
         return modal.lacks_tool && !modal.reported.has_reported(ProgramNotice::NoTool);
     }
@@ -344,9 +344,9 @@ struct Expander::State {
     enum class CycleOutcome : std::uint8_t {
         Moves,   // the control has no such cycle: its body is executed
         Block,   // a block stands for it
-        Failed,  // told
+        Failed,  // reported
     };
-    /// A cycle whose refusal has been told.
+    /// A cycle whose refusal has been reported.
     static CycleOutcome failed(Done) { return CycleOutcome::Failed; }
     CycleOutcome emit_cycle(nc::CycleId cycle, const Slot* registers);
 
@@ -368,7 +368,8 @@ struct Expander::State {
     Done check_preserves(std::uint32_t at);
 
     // ---- unknown.cpp
-    /// Checks what the block needs of the modal state, and says again what may have been left out.
+    /// Checks what the block needs of the modal state, and programs again what may have been left
+    /// out.
     Done settle_unknown(nc::Block& block, std::uint32_t at);
     Done require_state(const nc::Block& block, std::uint32_t at);
     Done require_state_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given,
@@ -386,7 +387,7 @@ struct Expander::State {
     void warn_of_choice(DiagnosticBuilder builder);
     void say_diameter(nc::Block& block);
     void say_diameter_alone(SourceId source, std::uint32_t at, std::size_t depth);
-    /// A block that turns while nothing says whether X is a diameter.
+    /// A block that turns while nothing tells whether X is a diameter.
     void warn_of_radius(const nc::Block& block, std::uint32_t at);
     Done keep_promise(const OpenWith& promise, std::uint32_t at);
     void warn_after_end(std::uint32_t at);
@@ -500,7 +501,7 @@ struct Expander::State {
     std::vector<OpenWith> withs;
     std::vector<OpenWith> promises;  // of `preserves`
     ActiveCycle active_cycle;
-    ReportedInProgram reported;  // of the whole program; see also ModalState::told
+    ReportedInProgram reported;  // of the whole program; see also ModalState::reported
     ReportedAt reported_at;
 
     /// A contour whose blocks are being kept.

@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::size_t kFirstStack = 16384;
 
-// Where a cycle under test begins if the test does not say: well above a part whose top is Z0, with
-// a feed and a speed that no limit cuts.
+// Where a cycle under test begins if the test does not set it: well above a part whose top is Z0,
+// with a feed and a speed that no limit cuts.
 constexpr double kStartHeight = 50;   // mm
 constexpr double kStartFeed = 100;    // mm/min
 constexpr double kStartSpeed = 1000;  // rpm
@@ -119,7 +119,7 @@ Done Expander::State::test_call(const Instruction& instruction, Slot* registers,
 }
 
 bool Expander::State::stops_at_failure() {
-    // A property has its counterexample; a test may have more to say.
+    // A property has its counterexample; a test may have more to report.
     if (frames[0].function->kind == FunctionKind::Property) is_running = false;
     return !is_running;
 }
@@ -186,7 +186,7 @@ void Expander::State::report_expectation(const Instruction& instruction, const S
     has_failed = true;
     if (stops_at_failure() ||
         std::find(failed_at.begin(), failed_at.end(), at) == failed_at.end()) {
-        // In a loop, the first turn speaks for all.
+        // In a loop, the first pass speaks for all.
         failed_at.push_back(at);
         const std::string& what =
             code.texts[static_cast<std::size_t>(instruction.immediate.pair.first)];

@@ -1,9 +1,9 @@
-// tilted_planes.cpp — tilted planes: in the words of the target, or as places of the rotary axes
+// tilted_planes.cpp — tilted planes: in the words of the target, or as positions of the rotary axes
 // and a zero point that has gone with the table.
 //
 // A control without such words moves its linear axes and nothing else. On a machine whose tables
 // alone turn, a plane to which the tool stands is then a shift and a rotation about Z; a head would
-// turn the tool's length away from Z, which takes a control that knows of it. Motion.md 7.2
+// incline the tool's length away from Z, which takes a control that knows of it. Motion.md 7.2
 // and 7.3.
 #include <array>
 #include <cmath>
@@ -45,7 +45,7 @@ constexpr double kNoAngle = 1e-9;
 
 double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0 : angle_deg; }
 
-/// The motion that the program has said. Rotary axes go to a plane at rapid, whatever it is.
+/// The programmed motion. Rotary axes go to a plane at rapid, whatever it is.
 struct SaidMotion {
     Function member;
     SourceId by;
@@ -58,7 +58,7 @@ SaidMotion said_motion(const ModalState& modal) {
             (modal.lost & sema::group_bit(Group::Motion)) != 0};
 }
 
-/// Behind a block at rapid: the next move says what the program has said, or must say it itself.
+/// Behind a block at rapid: the next move writes what is programmed, or must write it itself.
 void keep_motion(ModalState& modal, const SaidMotion& said) {
     modal.assume(Group::Motion, said.member, said.by);
     if (said.is_lost) modal.lost |= sema::group_bit(Group::Motion);
@@ -67,7 +67,7 @@ void keep_motion(ModalState& modal, const SaidMotion& said) {
 
 }  // namespace
 
-/// Whether the plan says a tilted plane, or something that does not stand in one.
+/// Whether the plan programs a tilted plane, or something that does not stand in one.
 bool Expander::State::is_about_tilted_plane(const sema::Plan& plan) const {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTiltedPlane)) return true;
@@ -158,7 +158,7 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     for (std::size_t i = 0; i < said.size(); ++i) said[i] = {i, values[i]};
     for (std::size_t i = 0; i < 3; ++i)
         said[kAngles + i].value = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
-    // `G53.1` turns them as the modal motion says, and stands next to the plane. F 4.8 G53.1.
+    // `G53.1` turns them as the modal motion is, and stands next to the plane. F 4.8 G53.1.
     const SaidMotion motion = said_motion(modal);
     if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
@@ -172,7 +172,7 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     return Done(!has_failed);
 }
 
-/// The rotary axes go to their places, and the frame is that of the part on the turned tables.
+/// The rotary axes go to their positions, and the frame is that of the part on the turned tables.
 Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, SourceId source,
                                            std::uint32_t at, unsigned depth) {
     const machine::Machine* machine = options.machine ? options.machine() : nullptr;
@@ -237,7 +237,7 @@ Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, 
     return Done(!has_failed);
 }
 
-/// A block at rapid that brings the rotary axes to their places; the modal motion stays.
+/// A block at rapid that brings the rotary axes to their positions; the modal motion stays.
 Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints, SourceId source,
                                  std::uint32_t at, unsigned depth) {
     if (!require_room(at)) return kFailed;

@@ -1,6 +1,6 @@
 // unknown.cpp — modal state that is not known: behind raw text, behind a block that the operator
-// may leave out. What needs it is said again, by the output where the program has said it, else by
-// the author.
+// may leave out. What needs it is written again, by the output where it is programmed,
+// else by the author.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,7 +32,7 @@ bool moves(const Block& block) {
     return (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
 }
 
-/// What a part needs of the modal state, as a program says it.
+/// What a part needs of the modal state, as a program has it.
 struct StateWord {
     Group group;
     std::string_view word;
@@ -87,7 +87,7 @@ bool has_group(const Block& block, Group group) {
 void ModalState::forget(SourceId source) {
     const AxisMask before = std::exchange(known, AxisMask{0});
     note_lost_positions(before, source, Loss::RawText);
-    // What X of the program is does not change by that: the text says it again.
+    // What X of the program is does not change by that: the text writes it again.
     const Function diameter = (*this)[Group::Diameter];
     active.fill(Function::None);
     has_feed = has_speed = has_tool = has_tool_in = false;
@@ -148,7 +148,7 @@ void ModalState::join_group(Group group, SourceId block) {
             break;
         case Group::Spindle:
         case Group::Coolant:
-            // To say it again would take the choice away.
+            // To write it again would take the choice away.
             active[static_cast<std::size_t>(group)] = Function::None;
             lose_to_choice(group_bit(group), block);
             if (group != Group::Spindle) break;
@@ -156,7 +156,7 @@ void ModalState::join_group(Group group, SourceId block) {
             reported.renew(ProgramNotice::SpindleInDoubt);
             break;
         case Group::Diameter: diameter_due = (*this)[group]; break;
-        default: break;  // said again by the writer
+        default: break;  // written again by the writer
     }
 }
 
@@ -197,7 +197,7 @@ Done Expander::State::require_state(const Block& block, std::uint32_t at) {
     const auto lacks = [&](Group group) { return (modal.lost & group_bit(group)) != 0; };
     const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
     const Function motion = modal[Group::Motion];
-    // A control without words for it says a single distance by the dimensions of its block, too.
+    // A control without words for it writes a single distance by the dimensions of its block, too.
     const nc::DialectTables& tables = target.tables();
     const bool says_each = tables.notation.has_modes || tables.has_incremental_letters;
     const nc::SlotMask by_itself = says_each ? block.absolute | block.incremental : 0;
@@ -273,7 +273,7 @@ Done Expander::State::require_speed_mode(std::uint32_t at) {
     return refuse_lost_state("what S means", "say `G96` or `G97`", at);
 }
 
-// ---------------------------------------------------------------- what is said again
+// ---------------------------------------------------------------- what is written again
 
 void Expander::State::say_again(Block& block) {
     const auto say_mode = [&](Group group) {

@@ -43,10 +43,10 @@ void Expander::State::reserve_stack(std::size_t slots) {
     if (stack.size() < slots) stack.resize(std::max(slots, 2 * stack.size()));
 }
 
-/// The turn that used up a slice of them asks for the next one; it belongs to it. False: there is
+/// The pass that used up a slice of them asks for the next one; it belongs to it. False: there is
 /// none, or somebody wants the evaluation to end.
 bool Expander::State::more_turns(std::uint64_t& turns) {
-    constexpr std::uint64_t kSlice = 1u << 16;  // turns between two looks at `stop` and the clock
+    constexpr std::uint64_t kSlice = 1u << 16;  // passes between two looks at `stop` and the clock
     if (look_for_end()) return false;
     turns = std::min(turns_reserve, kSlice);
     turns_reserve -= turns;
@@ -60,7 +60,7 @@ bool Expander::State::look_for_end() {
     return was_stopped || is_late;
 }
 
-/// Says why the evaluation ends before the program does.
+/// Reports why the evaluation ends before the program does.
 void Expander::State::report_end(std::uint32_t at) {
     if (was_stopped) {
         fault(diag::EvaluationStopped, at);
@@ -71,7 +71,7 @@ void Expander::State::report_end(std::uint32_t at) {
         .fix("if it is to work longer, raise the limit: `--max-time`");
 }
 
-/// Few turns can make very much: texts and arrays that are copied look at the clock, too.
+/// Few passes can make very much: texts and arrays that are copied look at the clock, too.
 bool Expander::State::collect_in_time(const Slot* registers) {
     collect_garbage(registers);
     return !look_for_end();
@@ -90,8 +90,8 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
         waiting.pop_front();
     }
     if (is_running && batch_count < batch_size) {
-        // A slice of turns can make blocks for seconds: somebody who wants it to end is heard in
-        // the next turn.
+        // A slice of passes can make blocks for seconds: somebody who wants it to end is heard in
+        // the next pass.
         if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed))
             turns_reserve += std::exchange(turns_left, 1) - 1;
         if (options.trace) run<true, false>();

@@ -30,7 +30,8 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
 }
 
-/// What `:save` says of a file that is there already and is not replaced; empty: it may be written.
+/// What `:save` reports of a file that is there already and is not replaced; empty: it may be
+/// written.
 std::string kept(const Prompt& prompt, const std::string& path) {
     std::error_code error;
     const bool is_new = !std::filesystem::exists(path, error) || prompt.has_written(path);
@@ -38,7 +39,7 @@ std::string kept(const Prompt& prompt, const std::string& path) {
     return "not written: `" + path + "` is there already";
 }
 
-/// Writes a file whole or not at all; the messages say why not.
+/// Writes a file whole or not at all; the messages report why not.
 std::string write_whole(const std::string& path, std::string_view text) {
     std::string words;
     Sources sources;
@@ -85,7 +86,7 @@ std::string moved_import(const std::string& text, const std::filesystem::path& f
     return text.substr(0, open + 1) + seen.generic_string() + text.substr(close);
 }
 
-/// What the prompt has been told, for a file that lies in this folder.
+/// What the prompt has been given, for a file that lies in this folder.
 Transcript moved(const Transcript& transcript, const std::filesystem::path& folder) {
     Transcript out;
     for (Input input : transcript.inputs()) {

@@ -12,7 +12,7 @@ namespace kadr::repl {
 
 namespace {
 
-/// What the language tells of the modal state, docs/language.md section 5.
+/// What the language shows of the modal state, docs/language.md section 5.
 constexpr std::string_view kStateMembers[] = {"feed",   "speed",    "tool",   "spindle",
                                               "turned", "mirrored", "scaled", "diameter"};
 

@@ -36,7 +36,7 @@ std::string changes(const std::vector<interp::StateItem>& before,
     return out;
 }
 
-/// A session for looking at texts only; what it says is nobody's concern.
+/// A session for looking at texts only; what it reports is nobody's concern.
 class QuietSession {
   public:
     QuietSession(const driver::Options& options, const driver::Share& share)
@@ -79,8 +79,8 @@ void Prompt::finish() {
 void Prompt::take_input(std::string text) {
     QuietSession quiet(options_, share_);
     Input input = classify(quiet.session(), transcript_.headers(), std::move(text));
-    // What is wrong is taken for a statement, to be told why. So is a header behind statements: it
-    // would change how they are read.
+    // What is wrong is taken for a statement, to have it reported why. So is a header behind
+    // statements: it would change how they are read.
     const bool is_late = input.kind == Input::Kind::Header && transcript_.has_statements();
     if (input.kind == Input::Kind::Wrong || is_late) input.kind = Input::Kind::Statement;
     Transcript longer = transcript_;

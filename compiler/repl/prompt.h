@@ -18,7 +18,7 @@
 
 namespace kadr::repl {
 
-/// What the prompt asks of the place where it runs.
+/// What the prompt asks of the surroundings in which it runs.
 struct Surroundings {
     /// Writes an answer, or a part of it.
     std::function<void(std::string_view)> write;

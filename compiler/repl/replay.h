@@ -51,7 +51,7 @@ inline constexpr std::size_t kFirstLines = 200;
 inline constexpr std::size_t kLastLines = 5;
 
 /// Evaluates the whole program. Nothing of it outlives the call but the outcome. What has been
-/// `text` of it before is not said again.
+/// `text` of it before is not shown again.
 Outcome replay(const driver::Options& options, const driver::Share& share,
                const ReplayRequest& request, std::vector<std::string> text);
 

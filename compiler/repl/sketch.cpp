@@ -93,7 +93,7 @@ std::string sketch(const driver::PlotScene& scene, std::size_t columns) {
     columns = std::clamp<std::size_t>(columns, 20, 100);
     const double width = std::max(box.upper.x() - box.lower.x(), 1e-9);
     const double height = std::max(box.upper.y() - box.lower.y(), 1e-9);
-    constexpr double kLeast = 1e-6;  // mm: less is one place, a hole seen from above
+    constexpr double kLeast = 1e-6;  // mm: less is one point, a hole seen from above
     if (width < kLeast && height < kLeast)
         return fmt::format("at X {:g}, Y {:g} mm from Z {:g} to {:g} mm\n", box.lower.x(),
                            box.lower.y(), box.lower.z(), box.upper.z());

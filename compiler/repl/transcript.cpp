@@ -131,7 +131,7 @@ std::string with_end(std::string text, std::string_view end) {
 
 std::string ended(const std::string& text) { return with_end(text, ";"); }
 
-/// Whether the statement at this place of the file is all that a condition or a loop does.
+/// Whether the statement at this index of the file is all that a condition or a loop does.
 bool is_lone_body(const Ast& ast, std::size_t index) {
     return std::ranges::any_of(ast.statements, [&](const syntax::Stmt& head) {
         const bool is_head = head.kind == StmtKind::If || head.kind == StmtKind::While ||
@@ -216,7 +216,7 @@ bool is_incomplete(driver::Session& session, std::string_view headers, const std
 namespace {
 
 /// Whether a text with mistakes is meant to stand beside the program: it declares a cycle, a
-/// function, a struct. What is wrong in it is then told as it is there.
+/// function, a struct. What is wrong in it is then reported as it is there.
 bool declares(driver::Session& session, const std::string& headers, std::string_view text) {
     const FileId file = session.sources().add("prompt", headers + std::string(text));
     const driver::SourceWords words = driver::words_of(session, file);

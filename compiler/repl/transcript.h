@@ -49,7 +49,7 @@ class Transcript {
     const std::vector<Input>& inputs() const { return inputs_; }
     /// Whether the program does anything yet.
     bool has_statements() const;
-    /// The headers alone: of each kind the one that was said last.
+    /// The headers alone: of each kind the one that was given last.
     std::string headers() const;
 
     /// The program: headers, imports, declarations, then `program prompt() { … }` with the word for

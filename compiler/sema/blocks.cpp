@@ -32,8 +32,8 @@ std::string Checker::word_text(const Word& word) const {
 
 namespace {
 
-/// Whether no word of the file before it is the same: what is lost is said once, at its first
-/// place.
+/// Whether no word of the file before it is the same: what is lost is reported once, at its first
+/// location.
 bool is_first(const syntax::Ast& ast, const nc::LostWord& lost) {
     const auto is_same = [&](const Word& a, const Word& b) {
         return ast.text(a.address) == ast.text(b.address) && a.form == b.form &&
@@ -78,7 +78,8 @@ std::optional<nc::BlockPlan> Checker::plan_words(std::span<const Word> words) {
     return plan_source(dialect, source);
 }
 
-/// The plan of a block; what the cycle of another control is here, is said beside what is wrong.
+/// The plan of a block; what the cycle of another control is here, is reported beside what is
+/// wrong.
 std::optional<nc::BlockPlan> Checker::plan_source(const nc::Dialect& dialect,
                                                   std::span<const nc::SourceWord> source) {
     DiagnosticList messages;
@@ -497,7 +498,7 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     }
     const bool is_bare = !has_unit && (info.kind == Kind::Int ||
                                        (info.kind == Kind::Real && info.quantity.is_number()));
-    // X takes it as it stands: the filling says that it goes across.
+    // X takes it as it stands: the filling tells that it goes across.
     const Value measure = info.is_diameter ? retyped(value, types::kLengthType) : value;
     filling = fill_value(measure, hole.dimension, word.range, what, reg);
     const double factor = is_bare ? hole.factor : 1.0;

@@ -202,7 +202,7 @@ void Checker::finish() {
     export_enums();
 }
 
-/// What the blocks of a function say of X themselves, and those of its contours.
+/// What the blocks of a function set for X themselves, and those of its contours.
 Checker::DiameterWords Checker::diameter_words(const FunctionCode& function) const {
     DiameterWords words;
     int contours = 0;
@@ -221,7 +221,7 @@ Checker::DiameterWords Checker::diameter_words(const FunctionCode& function) con
     return words;
 }
 
-/// A function works with diameters, unless it says what X is, if it makes a contour of diameters,
+/// A function works with diameters, unless it sets what X is, if it makes a contour of diameters,
 /// or calls what works with them: a cycle of a lathe is written for DIAMON. So does what is written
 /// for a control where X always is one.
 void Checker::mark_diameters() {

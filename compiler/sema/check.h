@@ -68,9 +68,9 @@ struct CheckOptions {
     std::uint32_t shown_from = kNothingShown;
     /// The program of the main file that may call others as if they were cycles.
     std::string_view calls_programs;
-    /// Says which tables and images may be read; null: any.
+    /// Knows which tables and images may be read; null: any.
     Files* files = nullptr;
-    /// Whether the command has no time left; then there is no code, and whoever asked says why.
+    /// Whether the command has no time left; then there is no code, and whoever asked reports why.
     std::function<bool()> is_over = {};
 };
 

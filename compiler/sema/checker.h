@@ -139,7 +139,7 @@ class Checker {
     bool fix_next_word(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_loop_variable(const SourceRange& range, DiagnosticBuilder& builder);
     bool fix_statement(std::string_view name, const SourceRange& range, DiagnosticBuilder& builder);
-    /// A name that a mistake has taken away, which is told already.
+    /// A name that a mistake has taken away, which is reported already.
     Done require_not_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
     void leave_scope(std::size_t symbols);
@@ -167,11 +167,11 @@ class Checker {
     Value given(const syntax::Expr& expr);
     Value is_given(const Value& value);
     Value coalesce(syntax::ExprId id, Type expected);
-    /// The value, converted to `target`; `what` names the place in messages.
+    /// The value, converted to `target`; `what` names it in messages.
     Value convert(const Value& value, Type target, const SourceRange& range, std::string_view what);
     Value adapt_number(const Value& value, Type target);
     void check_places(Type from, Type to, const SourceRange& range, std::string_view what);
-    /// An expression in a place of a type: converted and in registers `reg` (taken if none).
+    /// An expression where a type is wanted: converted and in registers `reg` (taken if none).
     Reg expression_in(syntax::ExprId id, Type type, Reg reg, std::string_view what);
     Reg in_register(const Value& value, Reg hint = kNoReg);
     void copy_value(const Value& value, Reg target);
@@ -195,7 +195,7 @@ class Checker {
     /// last_unset_ if the variable may be without a value.
     Value unchecked(syntax::ExprId id);
     Type type_of(syntax::ExprId id);
-    /// What a condition says about optionals: inside `if (given b)`, b is given.
+    /// What a condition tells about optionals: inside `if (given b)`, b is given.
     void assume_given(syntax::ExprId condition, bool sense);
     /// `list.count` and the like; nothing if it is a member of a struct.
     std::optional<Value> property_value(const Lvalue& whole, const syntax::Expr& expr);
@@ -274,7 +274,7 @@ class Checker {
     std::optional<Lvalue> member_lvalue(syntax::ExprId id);
     std::optional<Lvalue> element_lvalue(syntax::ExprId id);
     std::optional<Lvalue> character_lvalue(const Lvalue& whole, const syntax::Expr& expr);
-    /// A place, or the temporary that an expression leaves.
+    /// An lvalue, or the temporary that an expression leaves.
     std::optional<Lvalue> owner_lvalue(syntax::ExprId id);
     /// The member `expr.text` of a struct that stands somewhere.
     std::optional<Lvalue> part_lvalue(const Lvalue& whole, const syntax::Expr& expr);
@@ -567,8 +567,8 @@ class Checker {
     std::string_view declared_;  // name of the variable whose value is being calculated
     bool last_unset_ = false;
     bool native_pending_ = false;  // the body's checks are still being emitted
-    SourceRange ambiguous_;        // name that was told last
-    SourceRange unit_;             // apart from its number, told last
+    SourceRange ambiguous_;        // name that was reported last
+    SourceRange unit_;             // apart from its number, reported last
     std::vector<Type> open_structs_;
     std::uint32_t statement_ = 0;      // SourceId of the statement
     std::uint32_t asked_figures_ = 0;  // of those that are functions

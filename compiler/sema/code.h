@@ -167,7 +167,7 @@ enum class FollowSlot : std::uint8_t {
 };
 inline constexpr std::uint32_t kFollowSlots = 8;
 
-/// How far a curve may be from the blocks that follow it if nothing is said, mm: half of what a
+/// How far a curve may be from the blocks that follow it if nothing is given, mm: half of what a
 /// finishing cut is usually allowed.
 inline constexpr double kCurveTolerance = 0.005;
 
@@ -221,7 +221,7 @@ struct Filling {
 };
 
 /// What the control of the input dialect does with a block where controls differ. The evaluator
-/// says it so that every target does the same.
+/// gives it so that every target does the same.
 namespace custom {
 inline constexpr std::uint32_t kShiftKeeps = 1;      // a shift keeps the axes that it does not name
 inline constexpr std::uint32_t kRotateReplaces = 2;  // a rotation replaces the one before
@@ -232,28 +232,28 @@ inline constexpr std::uint32_t kEdges = 32;          // `D1` is an edge; M6 acti
 inline constexpr std::uint32_t kFeedCounts = 64;     // F has no point: increments per revolution
 inline constexpr std::uint32_t kCycleWords = 128;    // G80, G98, G99: only beside its own cycles
 inline constexpr std::uint32_t kFrameOrder = 256;    // mirror, scale, rotation in this order only
-inline constexpr std::uint32_t kReference = 512;     // G28 goes over the programmed place
+inline constexpr std::uint32_t kReference = 512;     // G28 goes over the programmed position
 inline constexpr std::uint32_t kCenterAtTool = 1024;  // a centre not named is where the tool stands
 inline constexpr std::uint32_t kFeedDeleted = 2048;   // another kind of feed deletes F
 // An increment counts from the coordinate that was programmed last, and so travels a change of the
 // frame as well.
 inline constexpr std::uint32_t kIncrementTravels = 4096;
 inline constexpr std::uint32_t kLengthMoves = 8192;     // a tool length is travelled at once
-inline constexpr std::uint32_t kCyclePosition = 16384;  // its cycle begins at its place
-inline constexpr std::uint32_t kPlaces = 32768;         // while a cycle is modal, a place of it
+inline constexpr std::uint32_t kCyclePosition = 16384;  // its cycle begins at its position
+inline constexpr std::uint32_t kPlaces = 32768;         // while a cycle is modal, a position of it
 inline constexpr std::uint32_t kCoreOffsets = 65536;    // `G43 H1` and `D1` of the common core
 inline constexpr std::uint32_t kRepeats = 131072;       // `K5`: the cycle that is modal, so often
 inline constexpr std::uint32_t kFrameDiameter =
     262144;                                            // X of a frame is a diameter where X is one
 inline constexpr std::uint32_t kFeedOfArc = 524288;    // F of a helix is meant along its arc
-inline constexpr std::uint32_t kStation = 1048576;     // `T0102` says an offset as well
-inline constexpr std::uint32_t kDirection = 2097152;   // the direction of the tool is said
+inline constexpr std::uint32_t kStation = 1048576;     // `T0102` selects an offset as well
+inline constexpr std::uint32_t kDirection = 2097152;   // the direction of the tool is programmed
 inline constexpr std::uint32_t kFeedOfAxes = 4194304;  // F is meant over rotary axes, too
 inline constexpr std::uint32_t kMirrorReplaces = 16777216;  // a further mirror goes on mirroring
 inline constexpr std::uint32_t kFrameOfSource = 8388608;    // a frame in the words of its control
 }  // namespace custom
 
-/// A block without its values: what the words say before the program runs.
+/// A block without its values: what the words mean before the program runs.
 struct Plan {
     nc::Function motion = nc::Function::None;
     nc::SlotMask given = 0;
@@ -273,11 +273,12 @@ struct Plan {
 };
 
 /// A cycle of the input dialect's control as a block of a source, and which arguments of the
-/// library's cycle it says.
+/// library's cycle it gives.
 struct SourceCycle {
     enum class Kind : std::uint8_t {
-        Once,   // `CYCLE81(…)`
-        Modal,  // `G81 …`: at every place, its block a positioning at rapid, until G80 or a motion
+        Once,    // `CYCLE81(…)`
+        Modal,   // `G81 …`: at every position, each block a positioning at rapid, until G80 or a
+                 // motion
         Called,  // `MCALL CYCLE81(…)`: behind every motion, until `MCALL`
     };
     struct Argument {
@@ -290,7 +291,7 @@ struct SourceCycle {
     bool has_other_in_strokes = false;  // beside a stroke its code is another cycle
     std::string word;                   // `G83`, `CYCLE81`
     std::vector<Argument> arguments;    // of the registers, in their order; not given: NaN
-    std::vector<std::pair<std::uint8_t, double>> fixed;  // parameters that the word itself says
+    std::vector<std::pair<std::uint8_t, double>> fixed;  // parameters that the word itself has
 };
 
 /// A text with holes: `"{x:.3} mm"`.

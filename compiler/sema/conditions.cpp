@@ -15,7 +15,7 @@ bool is_comparison(Operator op) { return op >= Operator::Less && op <= Operator:
 
 }  // namespace
 
-/// Whether a value is what a table, a list that is gone through or the caller said, and nothing has
+/// Whether a value is what a table, a list that is gone through or the caller gave, and nothing has
 /// been worked out of it.
 bool Checker::is_as_given(ExprId id) const {
     while (ast()[id].kind == ExprKind::Member || ast()[id].kind == ExprKind::Index)

@@ -1,4 +1,4 @@
-// convert.cpp — a value in its place: bare numbers take the unit, quantities must fit.
+// convert.cpp — a value where it is used: bare numbers take the unit, quantities must fit.
 #include <cmath>
 
 #include "base/diagnostics/sema.h"
@@ -8,7 +8,7 @@ namespace kadr::sema {
 
 namespace {
 
-/// A place in a message: "the value" as it is, what is code in backticks.
+/// A subject in a message: "the value" as it is, what is code in backticks.
 std::string subject(std::string_view what) {
     if (what.empty()) return "the value";
     return what.starts_with("the ") ? std::string(what) : quoted(what);

@@ -16,7 +16,7 @@ namespace kadr::sema {
 namespace {
 
 constexpr std::size_t kMostSlots = 50'000'000;  // elements of all arrays of a program
-constexpr std::size_t kMostUnknown = 100;       // columns that are left out are told of
+constexpr std::size_t kMostUnknown = 100;       // columns that are left out are reported
 
 std::string_view trim(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -231,7 +231,7 @@ class TableReader {
     bool has(const Column& column) const { return bound_[index_of(column)]; }
 
     /// Members without a column. Where a column has nearly the name of one, it is that column which
-    /// is wrong, and it is not said again that nobody takes it.
+    /// is wrong, and it is not reported again that nobody takes it.
     void report_missing(std::vector<UnknownColumn>& unknown) {
         for (const Column& column : schema_.columns) {
             if (has(column) || column.is_optional || column.initial) continue;

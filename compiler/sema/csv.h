@@ -16,7 +16,7 @@ namespace kadr::sema {
 
 /// Reads a CSV file row by row. Every mistake is reported with file, row and column; nothing is
 /// returned then. `path` is relative to the folder of the file that names it; `location` is where.
-/// `files` says what may be read; null: anything.
+/// `files` tells what may be read; null: anything.
 std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
                                     const std::string& path, const SourceRange& location,
                                     Files* files, DiagnosticSink& sink);

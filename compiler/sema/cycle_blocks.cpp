@@ -1,5 +1,5 @@
 // cycle_blocks.cpp — cycles as the control of the input dialect has them, `G83 …` and
-// `CYCLE81(…)`: the library's cycle is called, which every target can say.
+// `CYCLE81(…)`: the library's cycle is called, which every target can write.
 #include <algorithm>
 
 #include "base/diagnostics/dialect.h"
@@ -26,7 +26,7 @@ void Checker::load_cycles(std::uint32_t module) {
         const ModuleLoader::Module found =
             loader_.load(dialect.cycles()[cycle].module, false, tree.file, location);
         if (found.ast == nullptr) {
-            ++sink_.errors;  // the loader has said why
+            ++sink_.errors;  // the loader has reported why
             return;
         }
         cycle_modules_[cycle] =
@@ -153,7 +153,7 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
 
 namespace {
 
-/// The word that says how often a block repeats its cycle, `K`; empty: the control has none.
+/// The word that gives how often a block repeats its cycle, `K`; empty: the control has none.
 std::string_view repeats_address(const nc::DialectTables& tables) {
     const auto parameters = nc::info(nc::Function::CycleWords).parameters;
     const auto times = std::ranges::find(parameters, "times", &nc::Parameter::name);
@@ -177,7 +177,7 @@ bool gives_motion(const nc::DialectTables& tables, std::string_view address, dou
 
 }  // namespace
 
-/// `K5` in a block that calls a cycle or can be a place of one; in another it is a centre.
+/// `K5` in a block that calls a cycle or can be a position of one; in another it is a centre.
 const Word* Checker::repeats_of(std::span<const Word> words) const {
     const nc::Dialect& dialect = *modules_[module_].dialect;
     if (dialect.is_core() || cycle_modules_.empty()) return nullptr;
@@ -194,7 +194,7 @@ const Word* Checker::repeats_of(std::span<const Word> words) const {
     return has_cycle || !has_motion ? times : nullptr;
 }
 
-/// The block, then its place in the plane again and again: under G91 one behind the other.
+/// The block, then its position in the plane again and again: under G91 one behind the other.
 void Checker::repeat_places(const Stmt& stmt, const Word& times) {
     constexpr double kMost = 9999;
     std::vector<Word> words;
@@ -220,7 +220,7 @@ void Checker::repeat_places(const Stmt& stmt, const Word& times) {
 
 // ---------------------------------------------------------------- calls: `CYCLE81(50,2,,-10)`
 
-/// What the arguments say as far as the form of the call depends on it; their values beside them.
+/// What the arguments give as far as the form of the call depends on it; their values beside them.
 std::vector<nc::SourceArgument> Checker::source_arguments(std::span<const ExprId> items,
                                                           std::vector<Value>& values) {
     using ArgumentKind = nc::SourceArgument::Kind;

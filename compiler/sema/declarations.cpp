@@ -49,7 +49,7 @@ void Checker::import(std::uint32_t module, const Decl& decl) {
     const ModuleLoader::Module found =
         loader_.load(from.text(decl.name), decl.is_file, from.file, decl.range);
     if (found.ast == nullptr) {
-        ++sink_.errors;  // the loader has said why
+        ++sink_.errors;  // the loader has reported why
         return;
     }
     const std::uint32_t imported =
@@ -60,7 +60,7 @@ void Checker::import(std::uint32_t module, const Decl& decl) {
     }
 }
 
-/// What says how a file is to be read stands in front of everything that is read so, and once.
+/// What tells how a file is to be read stands in front of everything that is read so, and once.
 void Checker::check_header(const syntax::Ast& ast) {
     static constexpr std::pair<DeclKind, std::string_view> kHeaders[] = {
         {DeclKind::Units, "units"},
@@ -461,7 +461,7 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
     const Decl& decl = tree[global.decl];
     if (global.state == GlobalVariable::State::Checking) {
         report(diag::CircularConstant, decl.name_range).arg(tree.text(decl.name));
-        global.state = GlobalVariable::State::Done;  // said once
+        global.state = GlobalVariable::State::Done;  // reported once
         return;
     }
     global.state = GlobalVariable::State::Checking;
@@ -551,7 +551,7 @@ void Checker::bind_parameters(const FunctionDecl& function) {
         if (type_info(parameter.type).is_optional) symbol.givenness = Givenness::Perhaps;
         const Found same = find(parameter.name);
         if (same.symbol >= 0)
-            symbols_[static_cast<std::size_t>(same.symbol)].is_read = true;  // said once
+            symbols_[static_cast<std::size_t>(same.symbol)].is_read = true;  // reported once
         add_symbol(symbol);
     }
 }
@@ -626,7 +626,7 @@ void Checker::check_function(std::uint32_t index) {
         curve.end = emit_.here();
         curve.registers = emit_.registers_used();
         // The function of the points has all parameters of that of the limits, one more and three
-        // coordinates: where these find no room it says so for both.
+        // coordinates: where these find no room it reports it for both.
         constexpr std::uint32_t kMoreOfPoints = 4;
         if (!function.is_limits || function.parameter_slots + kMoreOfPoints <= kMostRegisters)
             report_overflow(function.name, function.range);
@@ -680,7 +680,7 @@ void Checker::report_missing_return(const FunctionDecl& function, const Decl& de
         .note(end, "the end is reached here without a `return`");
 }
 
-/// Says so if what was emitted needs more registers than there are.
+/// Reports it if what was emitted needs more registers than there are.
 void Checker::report_overflow(std::string_view name, const SourceRange& range) {
     if (!emit_.has_overflowed()) return;
     emit_.forget_overflow();

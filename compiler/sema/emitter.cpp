@@ -5,7 +5,7 @@
 namespace kadr::sema {
 
 Instruction& Emitter::emit(Op op, unsigned a, unsigned b, unsigned c) {
-    // More than an operand can say: of what is numbered here only a function that is too large has
+    // More than an operand can hold: of what is numbered here only a function that is too large has
     // so many.
     overflowed_ |= ((a | b | c) >> 16) != 0;
     Instruction instruction;

@@ -8,7 +8,7 @@
 
 namespace kadr::sema {
 
-/// A place in the code that jumps go to, before or after it is known.
+/// A point in the code that jumps go to, before or after it is known.
 struct Label {
     std::int64_t target = -1;
     std::vector<std::uint32_t> pending;  // instructions that jump there

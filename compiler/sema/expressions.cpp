@@ -86,7 +86,7 @@ Value Checker::symbol_value(std::int32_t index, const SourceRange& range, bool c
     if (checked && symbol.givenness == Givenness::NotGiven &&
         (is_optional || symbol.may_be_unset)) {
         report(diag::NotGiven, range).arg(symbol.name).note(symbol.range, "it is declared here");
-        symbol.givenness = Givenness::Perhaps;  // said once
+        symbol.givenness = Givenness::Perhaps;  // reported once
         return error_value();
     }
     if (is_optional && symbol.givenness == Givenness::Given && checked) {

@@ -1,4 +1,4 @@
-// loops.cpp — loops: the condition stands behind the body, so that a turn costs one jump.
+// loops.cpp — loops: the condition stands behind the body, so that a pass costs one jump.
 #include <charconv>
 #include <optional>
 
@@ -96,7 +96,7 @@ Checker::Completion Checker::do_statement(const Stmt& stmt) {
 }
 
 /// `i++`, `i += 2`, `i--` on a whole local variable and a comparison with a variable or a constant:
-/// one instruction a turn.
+/// one instruction a pass.
 bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
     const ExprId condition = stmt.expression[0];
     const ExprId step_id = stmt.expression[1];
@@ -269,7 +269,7 @@ void Checker::for_range(const Stmt& stmt, const Decl& decl) {
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
-    symbol.is_read = true;  // to count turns is use enough
+    symbol.is_read = true;  // to count passes is use enough
     symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kInt;
     symbol.is_const = decl.is_const;
     if (symbol.type != types::kInt && kind(symbol.type) != Kind::Error) {
@@ -349,7 +349,7 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
-    symbol.is_read = true;  // to count turns is use enough
+    symbol.is_read = true;  // to count passes is use enough
     symbol.type = written;
     symbol.is_row = true;
     symbol.is_const = decl.is_const;

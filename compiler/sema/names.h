@@ -58,7 +58,7 @@ struct Symbol {
     Givenness givenness = Givenness::Given;
     bool is_parameter = false;
     bool is_read = false;
-    bool is_row = false;          // of `for (… : list)`, or as a table said it
+    bool is_row = false;          // of `for (… : list)`, or as a table gave it
     bool is_assigned = false;     // after its declaration
     Origin origin = Origin::Any;  // of the value that it was given last in the text
     SourceRange range;

@@ -249,7 +249,7 @@ void Checker::fix_power(const Expr& expr, const Value& left, const Value& right,
     const bool is_square = right.is_constant() && kind(right.type) == Kind::Int &&
                            right.constant.integer == 2 && base.kind == ExprKind::Name;
     const std::string product = name + '*' + name;
-    // Whether a place takes the square of a length, only the author knows: `G0 X=d^2;`.
+    // Whether a word takes the square of a length, only the author knows: `G0 X=d^2;`.
     if (is_square && !type_info(left.type).quantity.is_number())
         builder.fix("a power is a product, `" + product +
                     "`, or `pow(a, n)`: that of a length is " + "an area");
@@ -571,7 +571,8 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
             return families(op, left, right, expr, hint);
         settle(left);
         settle(right);
-        // A feed times a speed is that of each tooth or turn times the turns of the spindle.
+        // A feed times a speed is that of each tooth or revolution times the revolutions of the
+        // spindle.
         const bool is_per_turn = op == Operator::Multiply && kind(left.type) != kind(right.type);
         const auto plain = [&](const Value& v) {
             return plain_form(v, is_per_turn && kind(v.type) == Kind::Feed ? 1 : 0);

@@ -84,7 +84,7 @@ Value Checker::is_given(const Value& value) {
         return in_registers(types::kBool, reg);
     }
     // A point is given as soon as one of its components is. A list in a struct is there from the
-    // start and says nothing, unless there is nothing else.
+    // start and tells nothing, unless there is nothing else.
     const bool has_lists_only = std::ranges::count(layout, SlotKind::Array) == std::ssize(layout);
     emit_.emit_integer(Op::LoadI, reg, 0, 0);
     const Reg part = emit_.take(1);

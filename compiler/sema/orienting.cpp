@@ -1,7 +1,7 @@
 // orienting.cpp — how the tool stands: `orient(…)`, by itself and behind the words of a block, and
 // `tcp(on)`, under which it acts.
 //
-// Whatever the program says, a block gets the direction from the tip to the holder, which every
+// Whatever the program has, a block gets the direction from the tip to the holder, which every
 // control with such words takes; angles are worked out here.
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ using syntax::Operator;
 
 namespace {
 
-/// What `orient` takes: the direction by its components, or turned about X by `a`, the new Y by
+/// What `orient` takes: the direction by its components, or rotated about X by `a`, the new Y by
 /// `b`.
 constexpr std::array<std::string_view, 5> kOrientNames = {"i", "j", "k", "a", "b"};
 constexpr std::size_t kComponents = 3;
@@ -74,7 +74,7 @@ Checker::Behind Checker::behind_words(const syntax::Stmt& stmt) {
     return behind;
 }
 
-/// The direction that a call of `orient` says, in the registers from `first`.
+/// The direction that a call of `orient` gives, in the registers from `first`.
 Done Checker::take_direction(const Expr& expr, Reg first) {
     const auto bound = bind_arguments(expr, "orient", kOrientNames, {});
     if (!bound) return kFailed;
@@ -96,7 +96,7 @@ Done Checker::take_direction(const Expr& expr, Reg first) {
     return taken;
 }
 
-/// Numbers or lengths of any size; what is not said is 0.
+/// Numbers or lengths of any size; what is not given is 0.
 Done Checker::take_parts(std::span<const ExprId> bound, Reg first) {
     for (std::size_t i = 0; i < kComponents; ++i) {
         const auto reg = static_cast<Reg>(first + i);
@@ -122,7 +122,7 @@ Done Checker::take_parts(std::span<const ExprId> bound, Reg first) {
     return kDone;
 }
 
-/// Where Z comes to, turned about X by a, then about the new Y by b: as Z of a tilted plane.
+/// Where Z comes to, rotated about X by a, then about the new Y by b: as Z of a tilted plane.
 ///
 /// source  Rx(a)·Ry(b)·z = (sin b, −sin a·cos b, cos a·cos b)
 Done Checker::take_angles(std::span<const ExprId> bound, const SourceRange& range, Reg first) {
@@ -194,7 +194,7 @@ Done Checker::add_direction(Plan& plan, const SourceRange& range) {
     return kDone;
 }
 
-/// `orient(…);`: the tool turns while its tip stands.
+/// `orient(…);`: the orientation changes while its tip stands.
 Value Checker::orient_call(const Expr& expr) {
     const Reg mark = emit_.mark();
     const Reg first = emit_.take(kComponents);
@@ -208,8 +208,8 @@ Value Checker::orient_call(const Expr& expr) {
     return in_registers(types::kVoid, 0);
 }
 
-/// `tcp(on)`: with the ways and the system that hold where nothing else is said, so that every
-/// control begins alike. `tcp(off)`.
+/// `tcp(on)`: with the interpolation and the system that hold where nothing else is given, so that
+/// every control begins alike. `tcp(off)`.
 Value Checker::tcp_call(const Expr& expr) {
     const auto items = ast().exprs(expr.list);
     std::string_view word;

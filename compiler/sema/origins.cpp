@@ -1,8 +1,8 @@
-// origins.cpp — numbers whose origin says that they are meant otherwise: radians that become
+// origins.cpp — numbers whose origin shows that they are meant otherwise: radians that become
 // degrees, ratios that become lengths.
 //
-// Both are right by the rules (a bare number takes the dimension of its place) and wrong in the
-// part. The origin goes along with a value through products, quotients, sums and variables.
+// Both are right by the rules (a bare number takes the dimension that is wanted there) and wrong in
+// the part. The origin goes along with a value through products, quotients, sums and variables.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -83,7 +83,7 @@ Origin Checker::origin_of_result(Operator op, const Value& left, const Value& ri
     }
 }
 
-/// A bare number is about to take the dimension of its place.
+/// A bare number is about to take the dimension that is wanted.
 void Checker::warn_of_origin(const Value& value, Type target, const SourceRange& range) {
     const TypeInfo& to = type_info(target);
     const bool is_angle = to.kind == Kind::Real && to.quantity == kAngle;

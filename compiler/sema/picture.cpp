@@ -68,7 +68,7 @@ class PictureReader {
         return read.ec == std::errc() && read.ptr == end;
     }
 
-    /// The place of a word that was just read; among bytes the line ends with it.
+    /// The location of a word that was just read; among bytes the line ends with it.
     TextLocation location_of(std::string_view word) const {
         const std::size_t begin = at_ - word.size();
         TextLocation location;

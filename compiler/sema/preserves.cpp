@@ -131,7 +131,7 @@ class PreservesCheck {
     }
 
     void body(StmtId id, Flow& flow, bool may_skip) {
-        // Twice: what the end of one turn leaves is there at the beginning of the next.
+        // Twice: what the end of one pass leaves is there at the beginning of the next.
         loops_.push_back({});
         loops_.back().with_depth = restored_.size();
         loops_.back().on_break.is_reached = false;
@@ -252,7 +252,7 @@ class PreservesCheck {
 };
 
 std::vector<nc::Function> Checker::preserved_members(const syntax::Decl& decl) {
-    const bool was_quiet = std::exchange(sink_.is_quiet, true);  // words_mask has said it
+    const bool was_quiet = std::exchange(sink_.is_quiet, true);  // words_mask has reported it
     std::vector<nc::Function> members;
     for (const syntax::Word& word : ast().word_run(decl.preserves)) {
         if (named_state(word) != 0) continue;

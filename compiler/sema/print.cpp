@@ -1,4 +1,4 @@
-// print.cpp — code as text: one instruction a line, operands as opcodes.def says.
+// print.cpp — code as text: one instruction a line, operands as opcodes.def has them.
 #include <array>
 #include <string_view>
 

@@ -76,7 +76,7 @@ void Checker::check_new_name(std::string_view name, const SourceRange& range) {
 }
 
 Symbol& Checker::add_symbol(const Symbol& symbol) {
-    // `RETURN n;` declares nothing: what its type is, is told.
+    // `RETURN n;` declares nothing: what its type is, is reported.
     if (kind(symbol.type) != Kind::Error) check_new_name(symbol.name, symbol.range);
     visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
     const bool varies =
@@ -95,8 +95,8 @@ void Checker::leave_scope(std::size_t symbols) {
     while (!varying_.empty() && varying_.back() >= symbols_.size()) varying_.pop_back();
 }
 
-/// A local variable that nothing reads; parameters have their own message. It is said at the end,
-/// if there was no error: what a mistake has cost may have read it.
+/// A local variable that nothing reads; parameters have their own message. It is reported at the
+/// end, if there was no error: what a mistake has cost may have read it.
 void Checker::report_unused(const Symbol& symbol) {
     const bool is_asked = !symbol.is_parameter && !symbol.is_loop_variable && !symbol.is_read;
     if (!is_asked || symbol.name.empty() || kind(symbol.type) == Kind::Error) return;
@@ -136,7 +136,7 @@ std::vector<std::string_view> Checker::known_names(bool functions) const {
 Done Checker::require_not_lost(std::string_view name) {
     const std::vector<std::string>& lost = ast().lost_names;
     if (std::find(lost.begin(), lost.end(), name) == lost.end()) return kDone;
-    ++sink_.errors;  // the parser has said why
+    ++sink_.errors;  // the parser has reported why
     return kFailed;
 }
 
@@ -370,8 +370,8 @@ bool Checker::fix_lookalike(std::string_view name, const SourceRange& range,
 }
 
 /// Another look for a name that was meant, among all names. False: there were enough. Behind so
-/// many mistakes of this kind nobody reads what it would say, and each takes as long as there are
-/// names.
+/// many mistakes of this kind nobody reads what it would report, and each takes as long as there
+/// are names.
 bool Checker::take_proposal() {
     constexpr std::uint32_t kMost = 100;
     return ++proposals_ <= kMost;

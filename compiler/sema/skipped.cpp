@@ -1,7 +1,7 @@
 // skipped.cpp — blocks that the operator may leave out: what cannot stand in one.
 //
 // What is left of such a block behind it belongs to one of three kinds. Modal codes, F and S are
-// said again by the output (expand/unknown.cpp, write/again.cpp); the spindle, the coolant and
+// written again by the output (expand/unknown.cpp, write/again.cpp); the spindle, the coolant and
 // M functions are the operator's choice; the rest is refused here.
 #include "base/diagnostics/sema.h"
 #include "nc/frame_words.h"

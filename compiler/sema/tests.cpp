@@ -251,7 +251,7 @@ std::optional<std::uint32_t> Checker::test_subject(std::string_view name, ExprId
                 return index;
             }
         } else if (!is_known) {
-            expression(id);  // says that there is no such function
+            expression(id);  // reports that there is no such function
         }
     } else if (call.kind == ExprKind::Invalid) {
         return std::nullopt;
@@ -445,7 +445,7 @@ void Checker::expectation(ExprId id) {
     const Expr& expr = ast()[id];
     const bool is_binary = expr.kind == ExprKind::Binary;
     if (is_binary && expr.op == Operator::And) {
-        // Each part says for itself what is wrong.
+        // Each part reports for itself what is wrong.
         expectation(expr.child[0]);
         expectation(expr.child[1]);
         return;
@@ -502,7 +502,7 @@ void Checker::jump_if_near(Reg a, Reg b, Label& near) {
     emit_.jump(Op::JumpLeF, near, way, most);
 }
 
-/// Jumps to `good` if both sides are as the operator says, within the tolerance of tests.
+/// Jumps to `good` if both sides are as the operator wants, within the tolerance of tests.
 Done Checker::emit_agreement(const Expr& expr, const Value& left, const Value& right, Label& good) {
     const Operator op = expr.op;
     const bool is_equality = op == Operator::Equal || op == Operator::NotEqual;

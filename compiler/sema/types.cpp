@@ -171,7 +171,7 @@ TypeTable::Completed TypeTable::complete_struct(Type type, std::vector<Member> m
     info.levels = levels + 1;
     if (holds_too_large || completed != Completed::Good) {
         // All in one register: nothing runs that comes from here. What holds it is not reported
-        // again, which its levels tell.
+        // again, which its levels show.
         for (Member& member : members) member.type = types::kError, member.offset = 0;
         slots = 1;
         info.levels = kMostLevels + 1;

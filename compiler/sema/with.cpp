@@ -87,7 +87,7 @@ std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_vie
 
 }  // namespace
 
-/// A scale says at least one factor; a mirror and a way to the reference point name an axis.
+/// A scale gives at least one factor; a mirror and a motion to the reference point name an axis.
 Done Checker::require_least(const nc::FunctionInfo& info, std::span<const ExprId> bound,
                             const Expr& expr) {
     const bool is_scale = info.function == nc::Function::Scale;

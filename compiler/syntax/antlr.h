@@ -1,7 +1,7 @@
 // antlr.h — the door to ANTLR; lex.cpp, complain.cpp, parse.cpp and tree*.cpp go through it.
 #pragma once
 
-// The generated files bring ANTLR with them: antlr/antlr4-runtime.h says which parts.
+// The generated files bring ANTLR with them: antlr/antlr4-runtime.h tells which parts.
 #include "KadrLexer.h"
 #include "KadrParser.h"
 #include "syntax/lexeme.h"

@@ -1,6 +1,6 @@
 // ast.h — a Kadr program after parsing: flat vectors, typed indices, no ANTLR.
 //
-// Every node is one plain struct with a kind; what its children mean is said at the kind. Lists
+// Every node is one plain struct with a kind; what its children mean is noted at the kind. Lists
 // of children are runs in `Ast::expression_lists` and so on. Nothing nests deeper than kMaxNesting,
 // so that a recursive walk is safe; a walk of chains (see is_chained) must go down their left side
 // by a loop. Nothing is resolved here: names are texts, types are as written.
@@ -93,7 +93,7 @@ enum class ExprKind : std::uint8_t {
     Member,       // child 0 . text
     Given,        // `given a`, `given a[i]`, `given h.d`: child 0 = Name, Index or Member
     Braces,       // { … }: list of values, an Argument where a member is named (`{x: 1mm}`); a
-                  // point, array or struct by its place
+                  // point, array or struct by its position
     Range,        // child 0 .. child 1
     TypedCall,    // `table<hole>("f.csv")`: text = callee, type; arguments: list
 };
@@ -141,7 +141,7 @@ enum class Operator : std::uint8_t {
     BitOrAssign,
 };
 
-/// Whether `a op b op c …` is a chain: a tree that leans to the left and may be of any length, as
+/// Whether `a op b op c …` is a chain: a tree that hangs to the left and may be of any length, as
 /// generated sums and texts are.
 constexpr bool is_chained(Operator op) {
     return (op >= Operator::Multiply && op <= Operator::ShiftRight) ||

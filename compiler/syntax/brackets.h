@@ -1,6 +1,6 @@
-// brackets.h — the brackets that are open at a place of the source, and what is done when they do
-// not match: the mistake is reported once and the token list is mended, so that the parser always
-// sees a well-formed nesting.
+// brackets.h — the brackets that are open at a location in the source, and what is done when they
+// do not match: the mistake is reported once and the token list is mended, so that the parser
+// always sees a well-formed nesting.
 #pragma once
 
 #include <vector>

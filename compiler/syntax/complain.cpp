@@ -72,7 +72,7 @@ void Complaints::complain(antlr4::Parser& parser, std::size_t index) {
     if (index == last_place_) return;
     last_place_ = index;
     const ParserPosition at = location_of(parser, index);
-    // What was put in or left out around here is told already.
+    // What was put in or left out around here is reported already.
     if (at.previous.is_repair || at.offending.is_repair) return;
     explain(at);
     lose_variable(at);
@@ -121,7 +121,7 @@ void Complaints::explain(const ParserPosition& at) {
     }
 }
 
-// Each of these knows a kind of mistake: if it is that one, it is told, and no other looks.
+// Each of these knows a kind of mistake: if it is that one, it is reported, and no other looks.
 
 /// `10,5` and `10 mm`.
 Done Complaints::check_number(const ParserPosition& at) {
@@ -353,7 +353,7 @@ void Complaints::lose_names(std::size_t index) {
     }
 }
 
-/// An address in the place of a name.
+/// An address in place of a name.
 void Complaints::explain_address_name(const Lexeme& lexeme) {
     const std::string_view spelled = file_.spelling(lexeme);
     bad_names_.insert(std::string(spelled));

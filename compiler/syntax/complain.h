@@ -82,7 +82,7 @@ class LexemeStream final : public antlr4::TokenStream {
     std::size_t at_ = 0;
 };
 
-/// Reports syntax errors and finds the place where the parser can go on: behind the next `;` or `}`
+/// Reports syntax errors and finds the point where the parser can go on: behind the next `;` or `}`
 /// of the statement or declaration that holds the mistake.
 class Complaints final : public antlr4::DefaultErrorStrategy {
   public:

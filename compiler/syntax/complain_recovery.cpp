@@ -16,7 +16,7 @@ void Complaints::reportError(antlr4::Parser* parser, const antlr4::RecognitionEx
     complain(*parser, index);
 }
 
-/// A single token is missing. `;` is put in, an address in the place of a name is taken for it;
+/// A single token is missing. `;` is put in, an address in place of a name is taken for it;
 /// everything else ends the statement.
 antlr4::Token* Complaints::recoverInline(antlr4::Parser* parser) {
     const std::size_t index = stream_.index();
@@ -51,7 +51,7 @@ void Complaints::recover(antlr4::Parser* parser, std::exception_ptr e) {
     }
 }
 
-/// The brackets that are open between the start of a rule and the place of the parser.
+/// The brackets that are open between the start of a rule and the position of the parser.
 std::vector<Token> Complaints::open_brackets(const antlr4::ParserRuleContext& context) const {
     std::vector<Token> open;
     for (std::size_t i = context.start->getTokenIndex(); i < stream_.place(); ++i) {
@@ -87,7 +87,7 @@ static std::size_t state_that_calls_block(const antlr4::Parser& parser) {
     KADR_ASSERT(false, "the grammar has no rule that calls block");
 }
 
-/// Reads the block that comes next, whose mistakes are told, wherever the parser stands.
+/// Reads the block that comes next, whose mistakes are reported, wherever the parser stands.
 static void read_block(antlr4::Parser& parser) {
     const std::size_t state = parser.getState();
     parser.setState(state_that_calls_block(parser));
@@ -95,7 +95,7 @@ static void read_block(antlr4::Parser& parser) {
     parser.setState(state);
 }
 
-/// Goes on behind the `;` of the statement, or behind its body, which is read on the way. Stops
+/// Goes on behind the `;` of the statement, or behind its body, which is read meanwhile. Stops
 /// before a `}` of the block around and before a line that is not indented deeper.
 void Complaints::skip_statement(antlr4::Parser& parser, const antlr4::ParserRuleContext& context) {
     const Lexeme& start = static_cast<LexemeToken*>(context.start)->lexeme();

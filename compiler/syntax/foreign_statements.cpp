@@ -203,7 +203,8 @@ bool Statements::may_be_element() const {
     return before == Token::Colon || (before == Token::OpenBrace && !opens_body);
 }
 
-/// The statement of a control that begins here: it is told, and left out to the end of its line.
+/// The statement of a control that begins here: it is reported, and left out to the end of its
+/// line.
 Done Statements::require_own_statement() {
     // `n = 2; ENDIF`: a word alone behind another statement as well.
     if ((!is_first_of_line() && !ends_line(i_)) || may_be_element()) return kDone;

@@ -100,7 +100,7 @@ bool ends_value(Token token) {
     }
 }
 
-/// The place in front of a piece.
+/// The gap in front of a piece.
 struct Gap {
     bool has_blank = false;
     bool is_forced = false;   // a new line must begin here

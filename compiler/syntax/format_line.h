@@ -15,7 +15,7 @@ inline constexpr std::size_t kLineWidth = 100;
 inline constexpr std::size_t kIndent = 4;
 
 /// The pieces with the blanks that belong between them, indented; in one line if they fit, else
-/// broken at the outermost place that makes a line fit. What goes on in brackets is aligned behind
+/// broken at the outermost point that makes a line fit. What goes on in brackets is aligned behind
 /// the bracket, anything else is indented by `continuation` more. Line comments end their line.
 /// They fit if they end in column `width`.
 std::vector<std::string> format_line(std::span<const LayoutPiece> pieces, std::size_t indent,

@@ -1,4 +1,4 @@
-// header.cpp — what the first lines of a source say about how to read it.
+// header.cpp — what the first lines of a source tell about how to read it.
 #include "syntax/parse.h"
 
 namespace kadr::syntax {

@@ -423,7 +423,7 @@ std::optional<std::vector<Lexeme>> lex(const SourceFile& file, const KeywordTabl
     std::vector<Lexeme> lexemes = lexing.take();
     Lexeme last;
     last.begin = last.end = size;
-    last.is_repair = lexing.is_cut();  // what is missing at the end is told already
+    last.is_repair = lexing.is_cut();  // what is missing at the end is reported already
     lexemes.push_back(last);
     return lexemes;
 }

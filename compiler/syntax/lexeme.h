@@ -19,7 +19,7 @@ namespace kadr::syntax {
 struct Lexeme {
     Token token = Token::EndOfFile;
     Unit unit = Unit::None;   // of a Number or a LiteralWord
-    bool is_repair = false;   // put in, or beside what was left out, after a mistake that is told
+    bool is_repair = false;   // put in, or beside what was left out, after a reported mistake
     std::uint32_t begin = 0;  // bytes in the source
     std::uint32_t end = 0;
     TextId text;        // Identifier and TypeName: the name; words: the address; texts: the
@@ -53,9 +53,9 @@ class Lines {
   public:
     explicit Lines(std::string_view text);
 
-    /// Bytes between the start of the line and the place.
+    /// Bytes between the start of the line and the location.
     std::uint32_t indent(std::uint32_t index) const { return index - line(index).start; }
-    /// Blanks at the start of the line that holds the place.
+    /// Blanks at the start of the line that holds the location.
     std::uint32_t line_indent(std::uint32_t index) const { return line(index).blanks; }
 
   private:
@@ -81,7 +81,7 @@ struct SourceFile {
     std::string_view spelling(const Lexeme& lexeme) const {
         return text.substr(lexeme.begin, lexeme.end - lexeme.begin);
     }
-    /// Whether a line ends between the two places.
+    /// Whether a line ends between the two locations.
     bool crosses_line(std::uint32_t from, std::uint32_t to) const {
         return to > from && text.substr(from, to - from).find('\n') != std::string_view::npos;
     }

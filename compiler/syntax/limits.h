@@ -1,4 +1,4 @@
-// limits.h — how much of a source Kadr reads before it says that something else must be wrong.
+// limits.h — how much of a source Kadr reads before it reports that something else must be wrong.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ inline constexpr std::size_t kMaxBadBytes = 8;  // then the file is no text
 /// parsing find mistakes in their own order, a reader wants them in the order of the source.
 class LimitedSink final : public DiagnosticSink {
   public:
-    /// `is_over` says that the command has no time left; empty: it has.
+    /// `is_over` tells that the command has no time left; empty: it has.
     explicit LimitedSink(std::function<bool()> is_over = {}) : is_over_(std::move(is_over)) {}
 
     /// Whether the work is to end because there is no time left. A look at the clock.
@@ -28,7 +28,7 @@ class LimitedSink final : public DiagnosticSink {
     void take(Diagnostic diagnostic) override;
     bool has_errors() const { return has_errors_; }
     bool is_full() const { return kept_.size() >= kMaxErrors; }
-    /// Hands everything on, sorted by place, and says if it was too much.
+    /// Hands everything on, sorted by location, and reports if it was too much.
     void deliver(DiagnosticSink& sink);
 
   private:

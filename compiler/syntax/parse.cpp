@@ -32,7 +32,7 @@ void build_tree(const SourceFile& file, const Prepared& prepared, const nc::Dial
         try {
             tree = parser.file();
         } catch (const antlr4::ParseCancellationException&) {
-            return;  // too many errors, and they are told
+            return;  // too many errors, and they are reported
         }
     }
     TreeBuilder(file, ast).build(*tree);

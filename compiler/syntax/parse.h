@@ -45,8 +45,8 @@ std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
                                           DiagnosticSink& sink);
 
 /// Name of the keyword language that the source's first declaration asks for (`language ru;`), and
-/// of its input dialect (`dialect fanuc;`); empty where it does not say. A cheap look at the first
-/// lines, before the lexeme tables are known.
+/// of its input dialect (`dialect fanuc;`); empty where it does not name one. A cheap look at the
+/// first lines, before the lexeme tables are known.
 struct SourceHeader {
     std::string language;
     std::string dialect;
@@ -57,8 +57,8 @@ SourceHeader scan_header(std::string_view text);
 
 /// Parses one file. Every syntax error of the file is reported in one run, in a technologist's
 /// words; the tree then has Invalid nodes where errors stood. Where `is_over` becomes true the tree
-/// is not complete, and whoever asked says why. `dialect` says which identifiers are words of NC
-/// blocks.
+/// is not complete, and whoever asked reports why. `dialect` knows which identifiers are words of
+/// NC blocks.
 Ast parse(const Sources& sources, FileId file, const KeywordTable& keywords,
           const nc::Dialect& dialect, DiagnosticSink& sink,
           const std::function<bool()>& is_over = {});

@@ -10,7 +10,7 @@ namespace kadr::syntax {
 /// its line before `end`. Inside `{ … }` a quote opens a text of its own where a value may stand.
 std::uint32_t end_of_text(std::string_view text, std::uint32_t begin, std::uint32_t end);
 
-/// The place of the `}` that closes the brace at `open` of a text, or `end`. Texts inside are
+/// The index of the `}` that closes the brace at `open` of a text, or `end`. Texts inside are
 /// skipped.
 std::uint32_t closing_brace(std::string_view text, std::uint32_t open, std::uint32_t end);
 

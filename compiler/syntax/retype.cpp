@@ -31,7 +31,7 @@ enum class Head : std::uint8_t {
     Enum,
 };
 
-/// Whether `//` stands right behind a place, and a value right behind it.
+/// Whether `//` stands right behind an index, and a value right behind it.
 bool is_quotient_comment(std::string_view text, std::size_t index) {
     const std::string_view rest = text.substr(index);
     return rest.size() > 2 && rest.starts_with("//") &&
@@ -299,7 +299,8 @@ void Retyping::end_forgotten_statement() {
     semicolon.token = Token::Semicolon;
     semicolon.is_repair = true;
     semicolon.begin = semicolon.end = out_.back().end;
-    // A statement at file level is a mistake as a whole, and behind a mended bracket one is told.
+    // A statement at file level is a mistake as a whole, and behind a mended bracket one is
+    // reported.
     const Token first = out_[statement_first_].token;
     const bool is_stray =
         brackets_.is_file_level() && (first == Token::Identifier || is_word(first) ||
@@ -367,7 +368,7 @@ std::optional<std::size_t> Retyping::line_comment() {
     return is_first || is_of_names ? std::optional(last) : std::nullopt;
 }
 
-/// A comment as controls write it: it is told, and left out.
+/// A comment as controls write it: it is reported, and left out.
 Done Retyping::require_no_control_comment() {
     const bool is_bracket = at(i_).token == Token::OpenParen;
     if (!brackets_.is_statement_level() || (out_.empty() && !is_bracket)) return kDone;
@@ -641,7 +642,7 @@ std::optional<std::size_t> Retyping::past_brackets(std::size_t i) const {
     return i;
 }
 
-/// `int[][] m`: said here, and read as `int[] m`, so that it is one message.
+/// `int[][] m`: reported here, and read as `int[] m`, so that it is one message.
 void Retyping::drop_nested_array() {
     if (next() != Token::OpenBracket) return;
     const std::size_t first = *past_brackets(i_ + 1);
@@ -688,7 +689,7 @@ bool Retyping::is_generic_call() const {
            at(i_ + 3).token == Token::Greater && at(i_ + 4).token == Token::OpenParen;
 }
 
-/// `for` or `note "…"` in a file whose keyword language says `для` and `заметка`.
+/// `for` or `note "…"` in a file whose keyword language has `для` and `заметка`.
 const Keyword* Retyping::foreign_keyword(const Lexeme& lexeme) {
     const Keyword* english = find_keyword(file_.texts.text(lexeme.text));
     if (english == nullptr) return nullptr;

@@ -1,4 +1,4 @@
-// retype.h — what each token is by its place: keyword or name, type or value, block or value.
+// retype.h — what each token is by its position: keyword or name, type or value, block or value.
 #pragma once
 
 #include <optional>

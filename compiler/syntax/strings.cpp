@@ -10,7 +10,7 @@ namespace kadr::syntax {
 
 namespace {
 
-/// The place of the `:` that begins a format, or `end`. A `:` in brackets or behind `?` is part of
+/// The index of the `:` that begins a format, or `end`. A `:` in brackets or behind `?` is part of
 /// the expression; `??` asks for none.
 std::uint32_t format_place(std::string_view text, std::uint32_t begin, std::uint32_t end) {
     int depth = 0;

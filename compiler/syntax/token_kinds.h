@@ -1,4 +1,4 @@
-// token_kinds.h — what kinds of tokens there are for those who tell what is wrong with them.
+// token_kinds.h — what kinds of tokens there are for those who report what is wrong with them.
 #pragma once
 
 #include "syntax/lexeme.h"

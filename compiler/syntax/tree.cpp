@@ -315,7 +315,7 @@ TextId TreeBuilder::units(antlr4::tree::TerminalNode* unit) {
     return file_.texts.intern("mm");
 }
 
-/// The text of the `///` lines right before the place.
+/// The text of the `///` lines right before the index.
 TextId TreeBuilder::documentation(std::uint32_t begin) {
     const auto& comments = ast_.comments;
     auto last = std::upper_bound(

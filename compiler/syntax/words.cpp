@@ -164,7 +164,7 @@ std::vector<Lexeme> Merging::run() {
 }
 
 /// `CYCLE81(50,2,,-10)`: where a call of the control leaves an argument out, a token of no width
-/// says so. In the language's own calls that is a mistake.
+/// marks it. In the language's own calls that is a mistake.
 void Merging::bracket(const Lexeme& lexeme) {
     const bool begins_call = std::exchange(begins_call_, false);
     const bool is_in_call = !calls_.empty() && calls_.back() == depth_;

@@ -6,7 +6,7 @@
 
 namespace kadr {
 
-/// Prints the broken promise with its place and ends the program. Never returns.
+/// Prints the broken promise with its location and ends the program. Never returns.
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line,
                                    const char* why);
 

@@ -1,9 +1,9 @@
-// diagnostic.h — what Kadr has to say to its user.
+// diagnostic.h — what Kadr has to report to its user.
 //
 // Every message is a row of one table (diagnostics/*.def): stable code, severity, wording, an
 // explanation with a wrong and a right example. Who reports a row includes the header of its
 // table (diagnostics/sema.h …): a new row builds one room again and not the house. A diagnostic
-// adds place, arguments, notes and fixes, and goes to a sink; who renders it is render.h's matter.
+// adds location, arguments, notes and fixes, and goes to a sink; render.h renders it.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ std::span<const DiagnosticRow* const> all_diagnostics();
 /// The row with this code ("K3104") or name; nullptr if there is none.
 const DiagnosticRow* find_diagnostic(std::string_view code);
 
-/// A place in a text that is read as a stream and not kept, as ISO-7bit text is: the line comes
+/// A location in a text that is read as a stream and not kept, as ISO-7bit text is: the line comes
 /// along, because nobody can look it up later.
 struct TextLocation {
     std::string file;
@@ -49,7 +49,7 @@ struct TextLocation {
 
 struct Diagnostic {
     struct Note {
-        SourceRange range;  // may be invalid: a note without a place
+        SourceRange range;  // may be invalid: a note without a location
         std::optional<TextLocation> line;
         std::string text;
     };

@@ -1,8 +1,8 @@
 // done.h — what a function answers that may refuse.
 //
-// A name that is a verb and says Done (`require_plane`, `read_word`, `take_edge`) has done it, or
-// has told why not and wants its caller to go no further. Whether that is `true` or `false` never
-// has to be looked up. What only asks (`is_…`, `has_…`) answers with bool and tells nothing.
+// A name that is a verb and returns Done (`require_plane`, `read_word`, `take_edge`) has done it,
+// or has reported why not and wants its caller to go no further. Whether that is `true` or `false`
+// never has to be looked up. What only asks (`is_…`, `has_…`) answers with bool, in silence.
 #pragma once
 
 namespace kadr {
@@ -18,6 +18,6 @@ class [[nodiscard]] Done {
 };
 
 inline constexpr Done kDone{true};
-inline constexpr Done kFailed{false};  // and the reason has been told
+inline constexpr Done kFailed{false};  // and the reason has been reported
 
 }  // namespace kadr

@@ -126,7 +126,7 @@ Result<std::string, ReadFault> Files::read(const std::string& file) {
 
 Result<std::string, ReadFault> Files::read_named(const std::string& file,
                                                  const std::string& beside) {
-    // Whether it exists is told of no file that may not be read.
+    // Whether it exists is revealed of no file that may not be read.
     if (!may_be_read(file, beside)) return fault_elsewhere(file, beside);
     std::error_code error;
     const fs::file_status status = fs::status(file, error);

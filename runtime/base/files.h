@@ -23,7 +23,7 @@ namespace kadr {
 /// Why a file was not read.
 struct ReadFault {
     enum class Kind : std::uint8_t {
-        Unreadable,  // it is missing, a folder, not ours; `why` says what
+        Unreadable,  // it is missing, a folder, not ours; `why` tells what
         TooLarge,    // more bytes than the limit
         Elsewhere,   // outside of the folders that a program may read; `why` is the folder that
                      // would have to be among them
@@ -86,8 +86,8 @@ std::string why_unreadable(const std::string& file);
 /// Likewise for a file that is to be written: "the folder does not exist".
 std::string why_unwritable(const std::string& file);
 
-/// Says that a file was not read: `row` (one argument, the name) with the reason, or that it is too
-/// large or out of bounds.
+/// Reports that a file was not read: `row` (one argument, the name) with the reason, or that it is
+/// too large or out of bounds.
 void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceRange& location,
                    const std::string& file, const ReadFault& fault, const Files& files);
 

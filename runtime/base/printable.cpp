@@ -9,7 +9,7 @@ namespace kadr {
 
 namespace {
 
-/// Characters of a text that was cut: its beginning says what it is.
+/// Characters of a text that was cut: its beginning shows what it is.
 constexpr std::size_t kBeginning = 120;
 
 /// Bytes of the control character that stands at `at`; 0: none. In UTF-8 those from U+0080 to

@@ -225,7 +225,7 @@ void append_begin(std::string& out, const TextLocation& location) {
     out += ",\"column\":" + std::to_string(location.column);
 }
 
-/// What is marked: of a place where something is missing, the character behind it.
+/// What is marked: at a location where something is missing, the character behind it.
 void append_position(std::string& out, const std::optional<TextLocation>& line,
                      const SourceRange& range, const Sources& sources) {
     const TextLocation location = line ? *line : resolve(range, sources);
@@ -239,7 +239,7 @@ void append_position(std::string& out, const std::optional<TextLocation>& line,
     }
 }
 
-/// What is replaced: of an insertion nothing. A fix in words alone has neither place nor text.
+/// What is replaced: of an insertion nothing. A fix in words alone has neither location nor text.
 void append_edit(std::string& out, const Diagnostic::Fix& fix, const Sources& sources) {
     if (!fix.range.file.is_valid()) return;
     append_begin(out, resolve(fix.range, sources));

@@ -18,7 +18,7 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
 
 /// One JSON object without a line end: file, line, column, end_line, end_column, severity, code,
 /// message, notes, fixes; for an alarm also `alarm` and `alarm_text`. A fix that replaces text has
-/// its place and `replacement`, one in words `text` alone.
+/// its location and `replacement`, one in words `text` alone.
 std::string render_json(const Diagnostic& diagnostic, const Sources& sources);
 
 /// Text as a JSON string, quotes included. Malformed UTF-8 becomes the replacement character.

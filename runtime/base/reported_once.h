@@ -1,12 +1,12 @@
-// reported_once.h — what is told once and not again: each room has an enum of such things, and
-// whoever tells them owns the flags.
+// reported_once.h — what is reported once and not again: each room has an enum of such things, and
+// whoever reports them owns the flags.
 #pragma once
 
 #include <cstdint>
 
 namespace kadr {
 
-/// Flags of what has been told.
+/// Flags of what has been reported.
 ///
 /// What  an enum with less than 32 members
 template <typename What>
@@ -14,13 +14,13 @@ class ReportedOnce {
   public:
     bool has_reported(What what) const { return (reported_ >> bit_of(what) & 1u) != 0; }
     void count_as_reported(What what) { reported_ |= 1u << bit_of(what); }
-    /// Whether it is to be told: from here on it counts as told.
+    /// Whether it is to be reported: from here on it counts as reported.
     [[nodiscard]] bool first_time(What what) {
         const bool is_first = !has_reported(what);
         count_as_reported(what);
         return is_first;
     }
-    /// It is told anew when it comes again.
+    /// It is reported anew when it comes again.
     void renew(What what) { reported_ &= ~(1u << bit_of(what)); }
 
   private:

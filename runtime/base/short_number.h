@@ -14,12 +14,12 @@
 
 namespace kadr {
 
-/// Eight bytes of a line from a place on, the first one lowest; behind its end stand zeros.
+/// Eight bytes of a line from an index on, the first one lowest; behind its end stand zeros.
 class ByteWindow {
   public:
     static constexpr std::size_t kSize = 8;
 
-    /// at  a place in the line, before its end
+    /// at  an index in the line, before its end
     ByteWindow(const char* at, std::string_view line) {
         const char* const end = line.data() + line.size();
         if (line.size() >= kSize) {
@@ -87,7 +87,7 @@ struct ShortWhole {
     const char* end = nullptr;
 };
 
-/// The number at `at`, a place in the line: `-12.345`, with no more than seven bytes behind its
+/// The number at `at`, an index in the line: `-12.345`, with no more than seven bytes behind its
 /// sign. In a function of its own: it needs most registers.
 ShortNumber read_short_number(const char* at, std::string_view line);
 /// Digits alone, no more than seven; what stands behind them is not looked at.

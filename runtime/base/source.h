@@ -1,6 +1,6 @@
-// source.h — texts and places in them.
+// source.h — texts and locations in them.
 //
-// Every message, block, command and setpoint can point at the text that caused it. Places are
+// Every message, block, command and setpoint can point at the text that caused it. Locations are
 // byte offsets; lines and columns are computed when somebody has to read them.
 #pragma once
 
@@ -38,7 +38,7 @@ struct SourceId {
     friend bool operator==(SourceId, SourceId) = default;
 };
 
-/// A place as a person reads it. Line and column count from 1; the column counts characters
+/// A location as a person reads it. Line and column count from 1; the column counts characters
 /// (code points), tabs as one.
 struct LineColumn {
     std::uint32_t line = 1;

@@ -1,4 +1,4 @@
-// unicode.h — what the tables of Unicode say about texts; the only door to utf8proc.
+// unicode.h — what the tables of Unicode hold about texts; the only door to utf8proc.
 #pragma once
 
 #include <cstddef>

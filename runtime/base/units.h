@@ -1,7 +1,7 @@
 // units.h — the only place where units change.
 //
 // Canonical are mm, s, rad, mm/s, rev/s. Degrees, minutes and inches exist where text is read or
-// written, and in Block and Command, whose fields say so.
+// written, and in Block and Command, whose fields are so named.
 #pragma once
 
 #include <numbers>

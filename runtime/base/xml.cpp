@@ -64,7 +64,7 @@ std::size_t find_bad_entity(std::string_view text, std::size_t begin, std::size_
     return std::string_view::npos;
 }
 
-/// Copies the library's tree and finds the places, of which it keeps only those of the elements.
+/// Copies the library's tree and finds the locations, of which it keeps only those of the elements.
 /// The text is well-formed here, so plain scans over names and quotes are enough.
 class Copier {
   public:
@@ -168,7 +168,7 @@ std::optional<pugi::xml_node> only_element(const pugi::xml_document& document,
     return root;
 }
 
-/// What the declaration says that the text is not: files are read as UTF-8, whatever they claim.
+/// What the declaration claims that the text is not: files are read as UTF-8, whatever it is.
 std::optional<Fault> fault_of_encoding(std::string_view text) {
     if (const std::size_t at = find_malformed(text); at != std::string_view::npos)
         return Fault{at, at + 1, "this byte is no UTF-8; the file must be stored as UTF-8"};
@@ -248,7 +248,7 @@ bool belongs_to_xml(std::string_view attribute) {
     return attribute.starts_with("xmlns") || attribute.starts_with("xsi:");
 }
 
-/// The attributes of one element are as the rule says.
+/// The attributes of one element are as the rule wants.
 Done check_attributes(const XmlElement& element, const XmlRule& rule, DiagnosticSink& sink) {
     bool is_good = true;
     const std::vector<std::string_view> names = attribute_names(rule);
@@ -274,7 +274,7 @@ Done check_attributes(const XmlElement& element, const XmlRule& rule, Diagnostic
         const XmlAttribute* attribute = element.find(wanted.name);
         if (attribute == nullptr) {
             is_good = false;
-            if (std::ranges::find(meant, wanted.name) != meant.end()) continue;  // said already
+            if (std::ranges::find(meant, wanted.name) != meant.end()) continue;  // reported already
             sink.report(diag::XmlMissingAttribute, element.range)
                 .arg(element.name)
                 .arg(wanted.name);

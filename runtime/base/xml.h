@@ -1,8 +1,8 @@
-// xml.h — an XML file as elements and attributes with their places; the one door to the library.
+// xml.h — an XML file as elements and attributes with their locations; the one door to the library.
 //
 // Dialects, machines and keyword languages are such files. What their elements mean is the matter
 // of the rooms that read them; that a file is XML, that its outermost element is the right one, and
-// that nothing in it is misspelt, doubled or left out, is said here, in the same words for all.
+// that nothing in it is misspelt, doubled or left out, is reported here, in the same words for all.
 #pragma once
 
 #include <map>
@@ -50,7 +50,7 @@ struct XmlAttributeRule {
     enum class Use : std::uint8_t {
         Optional,
         Needed,  // it must be there
-        Filled,  // it must be there and say something
+        Filled,  // it must be there and not be empty
     };
     std::string_view name;
     Use use;
@@ -84,8 +84,8 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
 /// if the file cannot be read; of a broken tag what stands before the break.
 std::map<std::string, std::string> first_tag(const std::string& path);
 
-/// An element and everything below it is as the shape says: every element and attribute known,
-/// nothing doubled, nothing missing, no stray text. Reports each mistake at its place, with the
+/// An element and everything below it is as the shape is: every element and attribute known,
+/// nothing doubled, nothing missing, no stray text. Reports each mistake at its location, with the
 /// name that may have been meant. Attributes of XML itself (`xmlns`, `xsi:…`) pass.
 Done check_xml(const XmlElement& element, const XmlShape& shape, DiagnosticSink& sink);
 

@@ -1,7 +1,7 @@
 // base_frames.h — the frames outside of the work offset, of controls that have several of them.
 //
 // set : external : global 0 … : channel 0 …; S 6.1. Those of the whole control and of the channel
-// have a number each and a bit of a mask that says which of them act.
+// have a number each and a bit of a mask that tells which of them act.
 #pragma once
 
 #include <array>

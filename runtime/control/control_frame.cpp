@@ -80,7 +80,7 @@ ControlFrame solid_frame(std::span<const AxisAndValue> angles) {
     if (angles.size() < 2) return rotation_frame(angles);
     KADR_ASSERT(angles.size() == 2, "a plane is given by two angles");
     // Round X, Y, Z the first of the two axes is the one that the other follows: its new direction
-    // is turned about the other axis; the other line about the first.
+    // is rotated about the other axis; the other line about the first.
     AxisAndValue first = angles[0];
     AxisAndValue second = angles[1];
     if ((index(first.axis) + 1) % 3 != index(second.axis)) std::swap(first, second);

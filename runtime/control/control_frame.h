@@ -44,7 +44,7 @@ ControlFrame mirror_frame(AxisMask axes);
 
 /// The right one acts on a point first.
 ControlFrame chain(const ControlFrame& outer, const ControlFrame& inner);
-/// The way back.
+/// The inverse.
 ControlFrame inverse(const ControlFrame& frame);
 
 /// Rotation, scale and mirror of a frame that has no shear.

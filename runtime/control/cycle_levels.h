@@ -1,4 +1,4 @@
-// cycle_levels.h — the levels of a modal cycle, as its words say them from hole to hole.
+// cycle_levels.h — the levels of a modal cycle, as its words give them from hole to hole.
 //
 // Source: F 5.1 (R and Z under G91 are distances), 5.4 (R of a lathe's cycles is one always).
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace kadr::control {
 
-/// As a word says it, mm along the tool axis.
+/// As a word gives it, mm along the tool axis.
 struct CycleLevel {
     double value = 0;
     bool is_given = false;
@@ -20,7 +20,7 @@ struct CycleLevel {
 CycleLevel cycle_depth(const nc::Rules& rules, double value, bool is_incremental);
 CycleLevel cycle_retract(const nc::Rules& rules, double value, bool is_incremental);
 
-/// What has been said; it holds for every further cycle until the mode ends.
+/// What has been programmed; it holds for every further cycle until the mode ends.
 struct CycleLevels {
     CycleLevel depth;    // a distance counts from the retract level
     CycleLevel retract;  // a distance counts from the level where the mode began
@@ -33,12 +33,11 @@ struct CallLevels {
     double back = 0;  // where the tool goes behind it
 };
 
-/// is_incremental  the dimensions where the cycle is called: a level that nobody said is 0, or no
-///                 distance
+/// is_incremental  the dimensions where the cycle is called: a level that nobody programmed is 0,
+///                 or no distance
 /// initial         level where the mode began; nothing: not known
 /// goes_low        back to the retract level only. One that lies under the bottom, as of boring
-/// from
-///                 below, is no place to come back to
+///                 from below, is no level to come back to
 ///
 /// Nothing if a level depends on one that is not known.
 std::optional<CallLevels> complete_levels(const nc::Rules& rules, CycleLevels programmed,

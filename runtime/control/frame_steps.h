@@ -1,6 +1,6 @@
-// frame_steps.h — what has been said of a programmable frame, in its order, since the last shift.
+// frame_steps.h — the steps of a programmable frame, in their order, since the last shift.
 //
-// A deletion takes its own steps out and leaves the others as they were said: behind
+// A deletion takes its own steps out and leaves the others as they were programmed: behind
 // `rotate(90deg, x: 2mm); rotate(30deg, x: 7mm); rotate_off();` the origin is where it was before.
 // The normal form (program_frame.h) does not know any more which share of its shift a rotation has
 // made.
@@ -25,8 +25,8 @@ class FrameSteps {
     void shift(const std::array<double, 3>& by, const std::array<bool, 3>& given);
     void shift_add(const std::array<double, 3>& by, const std::array<bool, 3>& given);
     void rotate(double angle_deg, nc::Function plane, const std::array<double, 3>& about);
-    /// The same on a control that scales first, wherever the rotation is said (F 3.7 G68): about
-    /// the scaled point, where it stays when the scale is deleted.
+    /// The same on a control that scales first, wherever the rotation is programmed (F 3.7 G68):
+    /// about the scaled point, where it stays when the scale is deleted.
     void rotate_scaled(double angle_deg, nc::Function plane, const std::array<double, 3>& about);
     /// by  factors > 0
     void scale(const std::array<double, 3>& by, const std::array<double, 3>& about);
@@ -38,7 +38,7 @@ class FrameSteps {
     /// Of the axes of a mask, 0: of all.
     void mirror_off(std::uint32_t axes);
 
-    /// A frame as blocks say it: the whole shift, then mirrors, scale and rotation, an unequal
+    /// A frame as blocks give it: the whole shift, then mirrors, scale and rotation, an unequal
     /// scale inside of the rotation.
     void say(const ProgramFrame& frame);
 

@@ -31,7 +31,7 @@ class Frames {
     void select_bases(const BaseFrames& bases);
     /// Inside of all others.
     void select_inner(const ControlFrame& inner);
-    /// Outside of all others: from the place where the table stands into the workpiece.
+    /// Outside of all others: from the position where the table stands into the workpiece.
     void set_table(const path::Frame& table);
     const ControlFrame& work_offset() const { return work_offset_; }
     const BaseFrames& bases() const { return bases_; }
@@ -69,7 +69,7 @@ class Frames {
     /// others'. Moves the origin of every work offset.
     void set_position(const FrameWords& words, const AxisValues& here, const AxisValues& base);
 
-    /// The machine's own coordinates of an axis, outside of all frames, count from another place.
+    /// The machine's own coordinates of an axis, outside of all frames, count from another zero.
     void preset(Axis axis, double by);
     /// Takes back what set_position and shift have done to these axes.
     void reset_position(AxisMask axes);
@@ -77,7 +77,7 @@ class Frames {
     /// From the workpiece as it lies with all tables at zero, to where they have turned it.
     void set_tables(const path::Frame& tables);
     const path::Frame& tables() const { return tables_; }
-    /// A tilted plane, said in the system of the work offset.
+    /// A tilted plane, programmed in the system of the work offset.
     void set_tilted_plane(const path::Frame& tilt);
     const path::Frame& tilt() const { return tilted_plane_frame_; }
     /// A frame along the tool, outside of the tilted plane; nothing: none.
@@ -111,7 +111,7 @@ class Frames {
     const path::Frame& total() const { return total_; }
 
   private:
-    /// A step of the programmable frame behind the shift; the kind tells what deletes it.
+    /// A step of the programmable frame behind the shift; the kind decides what deletes it.
     struct Step {
         enum class Kind : std::uint8_t { Shift, Rotation, Scale, Mirror };
         Kind kind;

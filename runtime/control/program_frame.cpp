@@ -71,7 +71,7 @@ bool ProgramFrame::is_stretched(nc::Function in_plane) const {
 
 std::array<double, 3> ProgramFrame::inner_center() const {
     std::array<double, 3> inner = mirrored(center, is_mirrored);
-    // Beside an unequal scale the rotation is said outside of it.
+    // Beside an unequal scale the rotation is written outside of it.
     if (is_stretched(plane)) return inner;
     for (std::size_t i = 0; i < 3; ++i) inner[i] /= scale[i];
     return inner;
@@ -154,7 +154,7 @@ KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const
     result.value = sum(rotated(difference(outer, to.center), -to.angle_deg, to.plane), to.center);
     for (std::size_t i = 0; i < 3; ++i) result.value[i] /= to.scale[i];
     result.value = mirrored(result.value, to.is_mirrored);
-    // A rotation mixes two axes: one of them alone says nothing.
+    // A rotation mixes two axes: one of them alone tells nothing.
     const auto mix = [&](const ProgramFrame& frame) {
         if (frame.angle_deg == 0) return;
         const PlaneAxes axes = axes_of(frame.plane);

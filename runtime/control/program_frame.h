@@ -10,7 +10,7 @@
 
 namespace kadr::control {
 
-/// Why a frame cannot be said as one shift, one rotation, one scale and mirrors.
+/// Why a frame cannot be written as one shift, one rotation, one scale and mirrors.
 enum class FrameFormFault : std::uint8_t {
     None,
     Planes,     // rotations in two planes
@@ -69,7 +69,7 @@ struct KnownPoint {
     std::array<double, 3> value{};
     std::array<bool, 3> is_known{};
 };
-/// The same place seen from another frame.
+/// The same point seen from another frame.
 KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const ProgramFrame& to);
 
 }  // namespace kadr::control

@@ -30,7 +30,7 @@ path::Plane Executor::plane_in(const Block& block) const {
     return function == Function::None ? modal_.plane : plane_of(function);
 }
 
-/// Whether the block is a line at an angle whose end only the next one will tell; then it waits.
+/// Whether the block is a line at an angle whose end only the next one will give; then it waits.
 bool Executor::opens_line(const Block& block) {
     if (block.is_of_cycle()) return false;
     const nc::Invocation* angle = block.find(Function::ContourAngle);
@@ -77,7 +77,7 @@ void Executor::close_line(const Block& block) {
     const Vec2 out = direction_at(first.argument(*first.find(Function::ContourAngle), kAngle));
     const Vec2 in = direction_at(block.argument(*angle, kAngle));
     const double w = cross(out, in);
-    // Both ways go forward.
+    // Both directions go forward.
     const double along = std::abs(w) < kParallelLines ? -1 : cross(to - from, in) / w;
     const double beyond = std::abs(w) < kParallelLines ? -1 : cross(out, to - from) / w;
     if (!(along > 0) || !(beyond > 0)) {
@@ -92,7 +92,7 @@ void Executor::close_line(const Block& block) {
     if (!reporter_.has_ended()) run(block);
 }
 
-/// Whether a word of the second line is a distance, with what both lines say of dimensions.
+/// Whether a word of the second line is a distance, with what both lines give for dimensions.
 bool Executor::is_open_distance(const Block& first, const Block& second, Slot slot) const {
     if (((second.absolute | second.incremental) & bit(slot)) != 0)
         return (second.incremental & bit(slot)) != 0;

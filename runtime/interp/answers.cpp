@@ -193,7 +193,7 @@ void Answers::set_timer(std::int64_t number, double value) {
 
 std::optional<double> Answers::quantity(SystemQuantity quantity, std::int64_t first,
                                         std::int64_t second) {
-    channel_.splines.finish_open_spline();  // where the tool is cannot be said inside of one
+    channel_.splines.finish_open_spline();  // where the tool is cannot be known inside of one
     const auto number = [](std::int64_t value) { return static_cast<double>(value); };
     switch (quantity) {
         case SystemQuantity::EndPosition:

@@ -33,7 +33,7 @@ class Answers {
                                   std::string_view text);
     /// By which programs count axes, from 1.
     std::optional<std::int64_t> axis_number(Axis axis) const;
-    /// By which a word of the axis is larger than its way: 2 where X is a diameter.
+    /// By which a word of the axis is larger than its travel: 2 where X is a diameter.
     double word_factor(std::int64_t axis) const;
     /// A count of the machine's axes from 1, or a name: −1 X, −2 Y …
     std::optional<Axis> axis_of(std::int64_t index) const;

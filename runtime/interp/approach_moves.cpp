@@ -1,10 +1,10 @@
-// approach_moves.cpp — soft approaches and retracts: from the tool's level to the contour's
+// approach_moves.cpp — smooth approaches and retractions: from the tool's level to the contour's
 // beginning, and back, with the contour's own direction.
 //
-// The places have the names of the manual's figures: P0 where the tool comes from, P1 above the
-// beginning of the way, P2 where the fast infeed ends, P3 where the way begins, P4 on the contour.
-// The retract has the same ones, backwards. Under cutter radius compensation the way is a part of
-// the contour and is compensated with it: its size is that of the contour then.
+// The points have the names of the manual's figures: P0 where the tool comes from, P1 above the
+// beginning of the path, P2 where the fast infeed ends, P3 where the path begins, P4 on the
+// contour. The retraction has the same ones, backwards. Under cutter radius compensation the path
+// is a part of the contour and is compensated with it: its size is that of the contour then.
 #include <algorithm>
 #include <cmath>
 
@@ -117,7 +117,7 @@ double SmoothApproaches::base_level(double programmed) const {
     return frames_.to_base(here)[normal];
 }
 
-/// The way as an element of the contour, seen from the place P4 on it; `tool` is where the tool
+/// The path as an element of the contour, seen from the point P4 on it; `tool` is where the tool
 /// comes from or goes to. Nothing: it was reported.
 std::optional<path::ApproachPath> SmoothApproaches::approach_path(const Block& block,
                                                                   const ApproachMove& move,
@@ -148,7 +148,7 @@ std::optional<path::ApproachPath> SmoothApproaches::approach_path(const Block& b
             approach.is_left = cross(at.direction, at.tool - at.point) > 0;
             break;
     }
-    // The centre's way has the radius DISR.
+    // The centre's path has the radius DISR.
     approach.size = move.radius + (approach.is_left ? offset : -offset);
     if (move.radius > 0 && approach.size > path::kSamePoint) return approach;
     reporter_.report(diag::SoftSizeWrong, block)
@@ -266,7 +266,7 @@ void SmoothApproaches::put_infeed(Command command, AxisValues& here, double leve
     channel_.stages.behind_corners() = std::move(command);
 }
 
-/// The way in the plane, with the level at which the motion ends.
+/// The path in the plane, with the level at which the motion ends.
 void SmoothApproaches::put_approach_path(Command command, const Element& element) {
     const path::PlaneAxes axes = path::axes_of(modal_.plane);
     path::Motion& motion = command.motion();

@@ -99,7 +99,7 @@ void Motions::thread_along_arc(const Block& block, const Target& target, const A
 }
 
 /// The arc of the block in the programmed system; nothing if it was reported. Where the words of
-/// the centre are the pitch, the radius or the opening says which arc it is.
+/// the centre are the pitch, the radius or the opening decides which arc it is.
 std::optional<path::Arc> Motions::arc_of_thread(const Block& block, const Target& target) {
     Block words = block;
     if (!rules_.thread_pitch_is_feed) words.given &= ~SlotMask{nc::kCenterSlots};

@@ -1,4 +1,4 @@
-// arc_words.cpp — arcs and involutes as the words of a block say them, in the programmed system.
+// arc_words.cpp — arcs and involutes as the words of a block give them, in the programmed system.
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -33,7 +33,7 @@ SlotMask plane_slots(const path::PlaneAxes& plane) {
     return bit(nc::slot_of(plane.first)) | bit(nc::slot_of(plane.second));
 }
 
-/// Turned about an axis through the centre, rad.
+/// Rotated about an axis through the centre, rad.
 Vec3 turned(const Vec3& point, const Vec3& center, const Vec3& axis, double angle) {
     return center + Eigen::AngleAxisd(angle, axis) * (point - center);
 }
@@ -93,7 +93,7 @@ std::optional<int> MotionWords::turns_of(const Block& block) {
     return std::nullopt;
 }
 
-/// The centre that the words say, in the programmed system; nothing if it was reported. A distance
+/// The centre that the words give, in the programmed system; nothing if it was reported. A distance
 /// is a radius, a coordinate is a diameter where X is one: "Channel-specific diameter/radius
 /// programming" in SINUMERIK's manual of fundamentals.
 std::optional<Vec3> MotionWords::center_of_arc(const Block& block, const Vec3& start) {
@@ -138,7 +138,7 @@ void MotionWords::report_center_arc(const Block& block, path::ArcFault fault,
         const Vec3 arm = point - center;
         return round_to((arm - arm.dot(normal) * normal).norm(), 6);
     };
-    // A centre on the start of another place is one, with a radius that does not fit.
+    // A centre on the start while the end is elsewhere is one, with a radius that does not fit.
     const bool is_nowhere = fault == path::ArcFault::NoRadius &&
                             (centers == 0 || radius_to(ends.start) == radius_to(ends.end));
     if (!is_nowhere) {
@@ -212,7 +212,7 @@ std::nullopt_t MotionWords::report_arc_words(const Block& block, SlotMask words)
 
 // ------------------------------------------------------------------------------ involutes
 
-/// What the block says of its involute but the end; nothing if it was reported.
+/// What the block gives for its involute but the end; nothing if it was reported.
 std::optional<path::InvoluteWords> MotionWords::involute_words(const Block& block) {
     const SlotMask others = block.given & (nc::kThroughSlots | bit(Slot::Turns));
     if (others != 0) {
@@ -233,7 +233,7 @@ std::optional<path::InvoluteWords> MotionWords::involute_words(const Block& bloc
                                block.at(Slot::Radius)};
 }
 
-/// The end of an involute that says the angle under which it is seen from the centre.
+/// The end of an involute that gives the angle under which it is seen from the centre.
 Done MotionWords::take_involute_end(const Block& block, const path::InvoluteWords& words,
                                     Target& target) {
     const path::PlaneAxes plane = path::axes_of(view_.plane);

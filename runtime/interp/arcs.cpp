@@ -1,4 +1,4 @@
-// arcs.cpp — arcs as the words of a block say them, and as the frame makes them.
+// arcs.cpp — arcs as the words of a block give them, and as the frame makes them.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,7 +34,7 @@ using path::Vec3;
 
 namespace {
 
-/// How much longer the way of a helix is than the arc that it is over.
+/// How much longer the path of a helix is than the arc that it is over.
 double length_by_arc(const path::Arc& arc) {
     const double height = arc.normal.dot(arc.end - arc.start);
     const Vec3 to = arc.end - arc.center - height * arc.normal;

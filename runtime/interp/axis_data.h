@@ -1,4 +1,4 @@
-// axis_data.h — what the machine says of its axes, by logical axis. Internal to interp.
+// axis_data.h — what the machine gives of its axes, by logical axis. Internal to interp.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct AxisData {
     AxisValues upper{};
     std::array<AxisValues, machine::kReferencePoints> reference_points{};
     std::array<AxisMask, machine::kReferencePoints> has_reference_point{};
-    AxisValues left_over{};  // places over which axes went to a reference point last
+    AxisValues left_over{};  // positions over which axes went to a reference point last
     AxisMask has_left = 0;
     AxisValues word_scale{};  // 0.5 for X of a lathe: a diameter is programmed
 

@@ -1,4 +1,4 @@
-// block_actions.h — what one block asks for, and places and pitches that are worked out of it.
+// block_actions.h — what one block asks for, and positions and pitches that are worked out of it.
 // Internal to interp.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Actions {
     bool probes = false;  // a line that ends where the probe triggers
     bool exact_stop = false;
     bool at_rapid = false;            // whatever the modal motion
-    double tool_offset_increase = 0;  // times the radius offset by which the ways are longer
+    double tool_offset_increase = 0;  // times the radius offset by which its distances increase
     bool length_changed = false;
     bool suspends_length = false;
     bool tool_change = false;
@@ -45,7 +45,7 @@ struct Actions {
     double feed_before = 0;
     bool had_feed = false;
     const nc::Invocation* corner = nullptr;  // chamfer or rounding at the end of the block
-    double corner_feed = 0;                  // 0: not said
+    double corner_feed = 0;                  // 0: not programmed
     std::optional<double> feed_once;         // of this block alone
     const nc::Invocation* angle = nullptr;
     const nc::Invocation* orient = nullptr;
@@ -61,9 +61,9 @@ struct Actions {
     bool calls_defined = false;  // the cycle that was defined last, behind the motion
     CycleWords cycle_words;
     const nc::Invocation* preset = nullptr;
-    const nc::Invocation* measure = nullptr;    // a way to where the tool is measured
+    const nc::Invocation* measure = nullptr;    // a motion to where the tool is measured
     std::optional<double> tooth_feed;           // mm
-    const nc::Invocation* reference = nullptr;  // a way to the reference point, or from there
+    const nc::Invocation* reference = nullptr;  // a motion to the reference point, or from there
     // Before the block.
     path::SpindleMode spindle_before = path::SpindleMode::Stop;
     path::CoolantMode coolant_before = path::CoolantMode::Off;
@@ -74,11 +74,11 @@ struct Target {
     AxisValues here;
     AxisValues base;
     AxisMask moved = 0;
-    AxisMask carried = 0;  // of them by the tool's turn alone: what the program said of them stays
+    AxisMask carried = 0;  // of them by the orientation alone: what was programmed for them stays
     OrientPlan orientation{};  // under a transformation
 };
 
-/// Where a soft approach or retract touches the contour, in the plane of the base system.
+/// Where a smooth approach or retraction touches the contour, in the plane of the base system.
 struct ApproachPoint {
     path::Vec2 point = path::Vec2::Zero();
     path::Vec2 direction = path::Vec2::Zero();  // of the contour there, unit vector
@@ -94,20 +94,20 @@ struct Probed {
     bool is_found = true;  // the probe has triggered
 };
 
-/// What a probing motion meets on its way.
+/// What a probing motion meets on its path.
 struct Probing {
     std::optional<Target> touched;  // where the axes are then; nothing: it meets nothing
-    bool goes_on = false;           // to the end of its way all the same
+    bool goes_on = false;           // to the end of its path all the same
     bool ends_move() const { return touched.has_value() && !goes_on; }
 };
 
-/// A way in the coordinates of the words that say it, mm and deg.
+/// A motion in the coordinates of the words that program it, mm and deg.
 struct ProgrammedMove {
     AxisValues from{};
     AxisValues to{};
 };
 
-/// The pitch of a thread along an arc, mm a turn, and the axis along which it is said.
+/// The pitch of a thread along an arc, mm a revolution, and the axis along which it is programmed.
 struct ThreadPitch {
     double pitch = 0;
     Eigen::Index axis = 0;

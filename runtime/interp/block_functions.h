@@ -18,7 +18,7 @@ class BlockFunctions {
     /// M functions that take the machine time, at one side of the block's motion.
     enum class MotionMoment : std::uint8_t { Before, Behind };
     /// Every default is executed as if it stood in a block of its own. Nobody has written it: there
-    /// is no place to tell anything of it. Units are the reader's matter.
+    /// is no location to report anything at. Units are the reader's matter.
     void power_on();
     /// What they do at once; what waits for the motion is the answer.
     Actions apply_functions(const nc::Block& block);

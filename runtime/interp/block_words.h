@@ -46,7 +46,7 @@ inline bool is_running(path::SpindleMode mode) {
     return mode == path::SpindleMode::Cw || mode == path::SpindleMode::Ccw;
 }
 
-/// Whether the block measures on its way at rapid, `MEAS=1 G0 X10`.
+/// Whether the block measures along its path at rapid, `MEAS=1 G0 X10`.
 inline bool probes_at_rapid(const nc::Block& block) {
     if (block.function_count == 0) return false;
     const nc::Invocation* const call = block.find(nc::Function::Probe);

@@ -45,7 +45,7 @@ const CarrierData& data_or_none(const ToolCarriers& carriers, std::int64_t numbe
     return data == nullptr ? none : *data;
 }
 
-/// Which of the three names of a carrier a quantity is.
+/// Which of the three names of a carrier a system variable is.
 std::size_t name_place(SystemQuantity quantity) {
     return quantity == SystemQuantity::CarrierName        ? 0
            : quantity == SystemQuantity::CarrierFirstName ? 1
@@ -123,7 +123,7 @@ void Carriers::take_carrier(const Block& block) {
     channel_.tool.expect_length();
 }
 
-/// The carrier with the angles that its data, the axes or the frame say; nothing: it was reported.
+/// The carrier with the angles that its data, the axes or the frame give; nothing: it was reported.
 std::optional<Carrier> Carriers::standing_carrier(const Block& block, const CarrierData& data) {
     std::optional<Carrier> carrier = carrier_of(data);
     if (!carrier) {
@@ -139,7 +139,7 @@ std::optional<Carrier> Carriers::standing_carrier(const Block& block, const Carr
     if (carrier_.frame_axis == 0) return carrier;
     CarrierQuery query;
     query.tool = Vec3::Unit(carrier_.frame_axis - 1);
-    // As the frame lies on a table that is not turned.
+    // As the frame lies on a table that is not rotated.
     query.frame =
         (frames_.tables().linear.transpose() * frames_.total().direction(query.tool)).normalized();
     query.near = carrier->angles;

@@ -16,7 +16,8 @@ class Carriers {
 
     /// TCARR, TCOABS, TCOFR: they act with the block.
     void choose_carrier(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
-    /// Whether the carrier has to be worked out anew: it, its angles, or a tool on it is said.
+    /// Whether the carrier has to be worked out anew: it, its angles, or a tool on it is
+    /// programmed.
     bool takes_carrier(const nc::Block& block, const Actions& actions) const;
     /// The tool's lengths lie along the turned carrier.
     void take_carrier(const nc::Block& block);

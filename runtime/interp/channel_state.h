@@ -82,8 +82,8 @@ struct ChannelState {
         Position position{};
         AxisValues length_shift{};  // machine position − base position: the tool length in force
         AxisValues preset{};        // real position − the one that the program has set
-        AxisMask unplaced = 0;      // axes that want a place behind the end of a rotation
-        ProgrammedUnits units = ProgrammedUnits::Unsaid;  // that the program said last
+        AxisMask unplaced = 0;      // axes that want a position behind the end of a rotation
+        ProgrammedUnits units = ProgrammedUnits::Unsaid;  // that was programmed last
         bool diameter_is_absolute = false;                // X is a diameter as a coordinate only
         bool is_scanning = false;                         // motions are a scanner's
         std::uint64_t block_count = 0;
@@ -117,7 +117,7 @@ struct ChannelState {
     struct SpindleGroup {
         ProgrammedSpindle spindle{};                      // the master
         std::vector<ProgrammedSpindle> other_spindles{};  // of machines with several
-        bool owes_speed = false;  // the motion side was not told of a new speed
+        bool owes_speed = false;  // the motion side has not been given a new speed
         path::CoolantMode coolant = path::CoolantMode::Off;
     };
     SpindleGroup spindle;
@@ -128,7 +128,7 @@ struct ChannelState {
         RadiusCompState comp{};
         Compensation compensation{};
         Compensation3d comp_3d{};  // in place of it under CompPeripheral
-        path::Contact surface{};   // normals of the surface along the block, of a Face
+        path::Contact surface{};   // normals of the surface along the block, of face milling
         ApproachChoice approach_choice{};
         SmoothApproach smooth_approach{};
         std::optional<Approached> approached{};
@@ -142,7 +142,7 @@ struct ChannelState {
         Callers callers;
         ModalCycles modal_cycles{};
         CycleRun cycle{};
-        std::vector<PatternRun> patterns{};   // a program called at places may hold another one
+        std::vector<PatternRun> patterns{};   // a program called at positions may hold another one
         std::optional<ShapeRun> shape{};      // whose blocks are coming
         std::optional<ContourRun> contour{};  // likewise, for a table of the program
         std::optional<SplineRun> spline{};    // that is being read

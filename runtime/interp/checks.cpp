@@ -165,7 +165,7 @@ Done MotionChecks::require_within_limits(const Block& block, const AxisValues& b
     constexpr double kAnyMachine = 1e7;  // mm, deg
     const auto is_near = [](double parameter) { return std::abs(parameter) < kAnyMachine; };
     if (contour_ && std::ranges::all_of(base, is_near)) return kDone;
-    // Where the axes go under a transformation is worked out along the way (motion/axis_check.h).
+    // Where the axes go under a transformation is worked out along the path (motion/axis_check.h).
     if (channel_.transformation.is_transformed())
         return area_.acts() ? require_within_area(block, base, moved) : kDone;
     if (!require_within_machine(block, base, moved)) return kFailed;

@@ -87,7 +87,7 @@ void CompensatedContour::put_piece(const CompPiece& piece, CutterPath& cutter) {
     if (!piece.is_inserted) waiting_.pop_front();
 }
 
-/// The way to the contour, of which is known now where it begins.
+/// The path to the contour, of which is known now where it begins.
 void CompensatedContour::put_open_approach(const Vec2& to, CutterPath& cutter) {
     const ProgrammedMotion approach = *std::exchange(open_approach_, std::nullopt);
     cutter.put_line(approach, to);

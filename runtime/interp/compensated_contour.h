@@ -16,7 +16,7 @@ namespace kadr::interp {
 
 /// How the contour ends: on its normal, but …
 struct ContourEnd {
-    std::optional<path::Vec2> direction;  // where the contour meets the way beside a line into it
+    std::optional<path::Vec2> direction;  // where the contour meets the path beside a line into it
     bool is_open = false;  // its last element may be left out, by the rules of the corners
     /// How far the contour is led beside what is programmed; without an element the approach goes
     /// where it is programmed.
@@ -44,7 +44,7 @@ class CompensatedContour {
     /// The command of the last element, which waits, ends there and not beside the contour.
     void end_last_at(const AxisValues& programmed);
 
-    /// The way to the contour waits for its first element.
+    /// The path to the contour waits for its first element.
     void wait_for_first(path::Command approach);
     /// It is no element: the caller leads it to the contour.
     ProgrammedMotion take_approach();

@@ -23,7 +23,7 @@ namespace {
 
 /// Directions that differ by the rounding of words and of rotary axes, rad.
 constexpr double kSameTool = 1e-7;
-/// Ways shorter than this are none: rounding of frames, mm.
+/// Distances shorter than this are none: rounding of frames, mm.
 constexpr double kNoWay = 1e-9;
 
 bool is_same(const Vec3& a, const Vec3& b) { return (a - b).norm() < kSameTool; }
@@ -46,7 +46,7 @@ Ends ends_of(const path::Motion& motion, const path::Curve& curve, const Vec3& n
             path::direction_at(orientation, curve, orientation.length)};
 }
 
-/// The motion turns the tool along the great circle instead. False: there is none.
+/// The motion changes the orientation along the great circle instead. False: there is none.
 bool orient_straight(const Vec3& from, path::Motion& motion) {
     const auto arc = machine::great_circle(from, motion.direction);
     if (!arc) return false;
@@ -57,7 +57,7 @@ bool orient_straight(const Vec3& from, path::Motion& motion) {
     return true;
 }
 
-/// The rotary axes where the tool ends on its way there. False: they cannot go.
+/// The rotary axes where the tool ends on its path there. False: they cannot go.
 bool lead_joints(const OrientationLimits& orientation_limits, const AxisValues& from,
                  const machine::DirectionFunction& direction, AxisValues& to) {
     const machine::Chain& chain = *orientation_limits.chain;
@@ -71,7 +71,7 @@ bool lead_joints(const OrientationLimits& orientation_limits, const AxisValues& 
     return true;
 }
 
-/// The tip stands where the axes are while the tool turns along the great circle.
+/// The tip stands where the axes are while the orientation changes along the great circle.
 bool put_standing_orientation(const OrientationLimits& orientation_limits, const Command& model,
                               const Vec3& to, AxisValues& axes, std::vector<Command>& settled) {
     const Vec3 from =
@@ -94,7 +94,7 @@ bool put_standing_orientation(const OrientationLimits& orientation_limits, const
     return true;
 }
 
-/// Along an arc the tool stays led by it: it turns there before, and to what is programmed behind.
+/// Along an arc the orientation follows it: it goes there before, and to what is programmed behind.
 bool put_led(const OrientationLimits& orientation_limits, AxisValues axes,
              const Command& programmed, const Ends& ends, std::vector<Command>& settled) {
     const std::size_t before = settled.size();

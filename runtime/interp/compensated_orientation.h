@@ -1,9 +1,9 @@
-// compensated_orientation.h — how the tool turns on a way that a cutter compensation has laid
+// compensated_orientation.h — tool orientation on a path that a cutter compensation has laid
 // beside the one that is programmed, under the machine's transformation.
 //
-// The control shares the turn of a block out over its path (S 7.4: u is the path fraction), so that
-// beside the contour, too, a block begins and ends with the tool that the program gives it. Where
-// the way says how the tool stands, it does so on the way that is left.
+// The control shares the change of orientation in a block out over its path (S 7.4: u is the path
+// fraction), so that beside the contour, too, a block begins and ends with the tool that the
+// program gives it. Where the path gives the orientation, it does so on the path that is left.
 #pragma once
 
 #include <vector>
@@ -15,20 +15,20 @@
 
 namespace kadr::interp {
 
-/// What turns the tool; without a chain nothing does.
+/// What orients the tool; without a chain nothing does.
 struct OrientationLimits {
     const machine::Chain* chain = nullptr;
     machine::JointLimits limits;
 };
 
-/// R1, R2 and Ψ of the chain as the axes say them, rad.
+/// R1, R2 and Ψ of the chain as the axes have them, rad.
 path::Vec3 joints_at(const machine::Chain& chain, const AxisValues& axes);
 
-/// How the tool turns on a way of this length, mm, that begins with the tool so.
+/// The orientation along a path of this length, mm, that begins with the tool so.
 path::OrientLaw orient_law_of(const path::Motion& motion, const path::Vec3& from_tool,
                               double length);
 
-/// The ends of a way: as it is programmed, and beside that; mm.
+/// The ends of a path: as it is programmed, and beside that; mm.
 struct CompensatedEnds {
     path::Vec3 from = path::Vec3::Zero();
     path::Vec3 to = path::Vec3::Zero();
@@ -37,11 +37,11 @@ struct CompensatedEnds {
 };
 
 /// The second point of the tool's axis goes aside with the tip, so that the tool keeps its
-/// direction at both ends. Other turns stay what they are.
+/// direction at both ends. Other orientations stay what they are.
 void shift_point(const CompensatedEnds& ends, path::Motion& motion);
 
-/// A command beside the contour, behind `settled`; before it and behind it turns of the tool while
-/// the tip stands, if its way would have it stand otherwise at its ends than it is programmed.
+/// A command beside the contour, behind `settled`; before it and behind it changes of orientation
+/// while the tip stands, if its path would need other orientations at its ends than are programmed.
 ///
 /// from     where the axes are
 /// returns  false if the rotary axes cannot follow; then nothing is put out

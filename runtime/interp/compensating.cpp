@@ -138,7 +138,7 @@ void RadiusCompensation::choose_comp_side(const Block& block, Function function,
 void RadiusCompensation::act_on_comp(const Block& block, const Actions& actions) {
     if (actions.radius_comp == CompSide::Off) {
         comp_.side = CompSide::Off;
-        if (actions.smooth_approach != nullptr) return;  // its way still belongs to the contour
+        if (actions.smooth_approach != nullptr) return;  // its path still belongs to the contour
         CompChange leave;
         leave.kind = CompChange::Kind::Leave;
         leave.settings.corners.open_end = comp_.open_end;
@@ -251,7 +251,7 @@ Done RadiusCompensation::require_comp_in_plane(const Block& block, Function func
     return kFailed;
 }
 
-/// What a program can say of it in space; the rest is of the working plane.
+/// What can be programmed of it in 3D; the rest is of the working plane.
 void RadiusCompensation::change_comp_3d(const CompChange& change) {
     switch (change.kind) {
         case CompChange::Kind::Leave: comp_3d_.leave(); break;
@@ -279,7 +279,7 @@ void RadiusCompensation::change_comp_3d(const CompChange& change) {
 }
 
 /// Of the tool, from tip to holder: as the transformation has it, else square to the plane; or as
-/// the program has said that it stays.
+/// is programmed to stay.
 path::Vec3 RadiusCompensation::tool_direction() const {
     if (orienting_.is_on)
         return machine::tool_vector(machine_.kinematics->chain,

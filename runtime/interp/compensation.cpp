@@ -61,7 +61,7 @@ void Compensation::begin(const CompSettings& settings, path::Plane plane, double
     state_ = State::Starting;
 }
 
-/// The contour goes on from the same place of the part.
+/// The contour goes on from the same point of the part.
 void Compensation::set_aside(const Vec2& aside) {
     if (is_on_contour()) in_plane().set_point(here_, in_plane().point(here_) + aside - aside_);
     aside_ = aside;
@@ -175,7 +175,7 @@ std::optional<CompAlarm> Compensation::end_block(const AxisValues& here, const n
         if (command.is_motion() && !command.motion().machine_coordinates)
             command = in_plane().into(std::move(command));
         has_moved = has_moved || (command.is_motion() && moves_on(command.motion()));
-        // Over a place to a place of the machine: the cutter leaves the contour on the way there.
+        // Over a position to a position of the machine: the cutter leaves the contour on its path.
         const bool leaves = state_ == State::On && command.is_motion() && !command.is_unshifted &&
                             i + 1 < fresh_.size() && fresh_[i + 1].is_unshifted;
         if (leaves) state_ = State::Leaving;
@@ -221,7 +221,7 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
         return take_in_machine_coordinates(command, behind);
     if (is_motion) {
         const bool moves = moves_on(command.motion());
-        // The way to the contour ends on it; the way from it ends where it is programmed.
+        // The path to the contour ends on it; the path from it ends where it is programmed.
         const bool is_led = moves ? state_ != State::Leaving : is_on_contour();
         if (is_led) in_plane().shift(command.motion(), aside_);
         if (moves) return take_motion(command);
@@ -234,8 +234,8 @@ Compensation::Fault Compensation::take(Command& command, const AxisValues& behin
     return nullptr;
 }
 
-/// For this way the compensation is taken back, and it begins anew behind it. Across the plane it
-/// is like blocks without motion there: the contour goes on from its normal.
+/// For this motion the compensation is taken back, and it begins anew behind it. Across the plane
+/// it is like blocks without motion there: the contour goes on from its normal.
 Compensation::Fault Compensation::take_in_machine_coordinates(Command& command,
                                                               const AxisValues& behind) {
     path::Motion& motion = command.motion();
@@ -282,7 +282,7 @@ Compensation::Fault Compensation::take_motion(Command& command) {
     }
 }
 
-/// An inverse time as the speed that it is along the programmed way.
+/// An inverse time as the speed that it is along the programmed path.
 void Compensation::feed_along(path::Motion& motion) const {
     const Element element = element_of(motion);
     const double along = element.is_arc() ? path::radius(element) * std::abs(motion.arc().sweep)
@@ -352,7 +352,7 @@ Compensation::Fault Compensation::follow(Command& command) {
     if (has_changed && element.is_arc() && settings_.radius_changes_in_lines)
         return &diag::CompRadiusOnArc;
     if (approach_) {
-        // The first element says where the approach ends: so far beside it.
+        // The first element tells where the approach ends: so far beside it.
         const double distance = element.is_arc() ? distance_ : before;
         if (const Fault fault = end_approach(element, distance)) return fault;
     }
@@ -368,7 +368,7 @@ Compensation::Fault Compensation::end_approach(const Element& first, double dist
     const bool is_straight = approach_->is_straight;
     std::optional<Element> element;
     if (!is_straight) {
-        // From the other side of the contour the way is straight, whatever the corner.
+        // From the other side of the contour the path is straight, whatever the corner.
         const bool is_beside = cutter_.beside().norm() > path::kSamePoint;
         const bool is_direct = is_beside && settings_.start == nc::CompStart::Extended;
         const auto found = approach_element(is_direct ? nc::CompStart::Normal : settings_.start,
@@ -410,7 +410,7 @@ Compensation::Fault Compensation::push(const Element& element, ProgrammedMotion 
 Compensation::Fault Compensation::depart(Command& command) {
     if (!is_straight(command.op())) return &diag::CompEndOnArc;
     std::optional<Element> element;
-    // A direction that is said takes the place of the corner.
+    // A direction that is programmed takes the place of the corner.
     if (contour_.last() && !leave_direction_) {
         const auto found = retract_element(settings_.start, contour_.last()->element,
                                            in_plane().point(command.motion().to), distance_);
@@ -428,7 +428,7 @@ Compensation::Fault Compensation::depart(Command& command) {
     return nullptr;
 }
 
-/// The contour ends before this way, which is no element of it.
+/// The contour ends before this motion, which is no element of it.
 Compensation::Fault Compensation::depart_from_end(Command& command) {
     const bool is_curved = is_curve(settings_.start);
     const std::optional<CompensatedContour::Last> last = contour_.last();

@@ -1,7 +1,7 @@
 // compensation.h — cutter radius compensation: commands of the programmed contour in, commands of
 // the cutter's centre out, a block or more later.
 //
-// What a corner becomes is path/radius_comp.h, the way to the contour compensation_paths.h.
+// What a corner becomes is path/radius_comp.h, the path to the contour compensation_paths.h.
 // Elements wait in compensated_contour.h, what is settled of them goes out by cutter_path.h. Here
 // is the order of things in a program: how the cutter comes to the contour and leaves it, blocks
 // without motion in the plane, pauses.
@@ -55,7 +55,7 @@ class Compensation {
     /// distance  radius of the cutter and allowance, mm, positive left of the contour
     void begin(const CompSettings& settings, path::Plane plane, double distance,
                const AxisValues& here);
-    /// From the next motion on; a line takes it over along its way.
+    /// From the next motion on; a line takes it over along its path.
     void set_distance(double distance) { distance_ = distance; }
     /// Of a lathe's tool: from the centre of its nose to the tip, which is what is programmed, in
     /// the plane, mm. The contour is led so far aside that beside it the tip goes, and not the
@@ -64,14 +64,14 @@ class Compensation {
     void set_settings(const CompSettings& settings);
     double distance() const { return distance_; }
     /// The next motion in the plane leaves the contour; if a direction is given, from where the
-    /// contour would meet the way beside a line into it.
+    /// contour would meet the path beside a line into it.
     ///
     /// open_end  what becomes of a last element that the cutter does not fit into
     void leave(const std::optional<path::Vec2>& direction = std::nullopt,
                path::OpenEnd open_end = path::OpenEnd::None);
     /// Compensation is over at once: what waits is let go of, and the cutter stays where it is.
     std::optional<CompAlarm> stop();
-    /// Where the cutter is, once nothing waits any more.
+    /// Where the cutter is, when nothing waits any more.
     AxisValues position() const { return in_plane().out_of(cutter_.position()); }
     path::Plane plane() const { return in_plane().plane(); }
     const path::Mat3& lie() const { return in_plane().lie(); }
@@ -91,18 +91,18 @@ class Compensation {
     /// happens before the contour has begun.
     std::optional<CompAlarm> begin_again();
     /// The cutter goes on an arc about the corner at which it is: to the normal of the next motion,
-    /// or of a direction. `motion` tells feed and place of the arc.
+    /// or of a direction. `motion` gives feed and source of the arc.
     std::optional<CompAlarm> round_corner(const path::Command& motion,
                                           const std::optional<path::Vec2>& direction);
-    /// The way to the contour, whose first element comes next; it may be no way at all.
+    /// The path to the contour, whose first element comes next; it may be no path at all.
     void begin_smooth_approach(path::Command motion);
 
     /// Where the executor puts a command while compensation is on.
     path::Command& next() { return fresh_.emplace_back(); }
     /// Takes what a block has put. `here` is where the tool is behind it, not compensated; `block`
-    /// tells the place of a block that has put nothing.
+    /// gives the source for a block that has put nothing.
     std::optional<CompAlarm> end_block(const AxisValues& here, const nc::Block& block);
-    /// What the program's end, or a way in machine coordinates, lets go of.
+    /// What the program's end, or a motion in machine coordinates, lets go of.
     std::optional<CompAlarm> flush();
     /// Commands that are settled, in order. The caller clears them.
     std::vector<path::Command>& settled() { return cutter_.settled(); }
@@ -119,10 +119,10 @@ class Compensation {
 
   private:
     enum class State : std::uint8_t { Off, Starting, On, Leaving };
-    /// A way to the contour that waits for the first element.
+    /// A path to the contour that waits for the first element.
     struct Approach {
         double distance = 0;       // so far beside its start it goes, mm
-        bool is_straight = false;  // whatever the settings say
+        bool is_straight = false;  // whatever the settings are
     };
     using Fault = const DiagnosticRow*;  // null: none
 

@@ -100,7 +100,7 @@ bool Compensation3d::changes_orientation(const Command& command) const {
     return settings_.orientation_limits.chain != nullptr && command.is_motion();
 }
 
-/// What is wrong at a corner is told of the side before it.
+/// What is wrong at a corner is reported of the element before it.
 CompAlarm Compensation3d::alarm(Fault fault, const Command& command) const {
     const bool is_corner = fault == &diag::CompCollision || fault == &diag::CompNoIntersection ||
                            fault == &diag::CompFaceCorner;
@@ -111,7 +111,7 @@ CompAlarm Compensation3d::alarm(Fault fault, const Command& command) const {
 Compensation3d::Fault Compensation3d::take(Command& command) {
     if (command.is_motion()) {
         path::Motion& motion = command.motion();
-        // What is touched is told of a way beside it, and of none that leads there or stands.
+        // What is touched is given for a motion beside it, and of none that leads there or stands.
         if (state_ != State::On || motion.machine_coordinates) motion.contact.reset();
         if (!motion.machine_coordinates) return take_motion(command);
         if (const Fault fault = finish()) return fault;
@@ -133,7 +133,7 @@ Compensation3d::Fault Compensation3d::take_motion(Command& command) {
     if (motion.op() == Op::Thread || motion.op() == Op::Probe) return &diag::CompMotion;
     path::Curve curve = path::curve_of(motion, linear(here_), linear(motion.to));
     if (path::length(curve) <= kStill) {
-        // Only the tool turns, or other axes move.
+        // Only the orientation changes, or other axes move.
         here_ = motion.to;
         motion.contact.reset();
         tool_ = tool_behind(motion);
@@ -192,8 +192,8 @@ Compensation3d::Fault Compensation3d::follow(Command& command, path::Curve curve
     return nullptr;
 }
 
-/// Whether the cutter can go along what is left of a side; once its corners have cut it, the tool
-/// stands otherwise along it.
+/// Whether the cutter can go along what is left of an element; when its corners have cut it, the
+/// tool stands otherwise along it.
 Compensation3d::Fault Compensation3d::check(TouchedMotion& side) const {
     if (side.contact.kind != ContactKind::Face) return check_side(side);
     if (const Fault fault = check_inclinations(side)) return fault;
@@ -201,7 +201,7 @@ Compensation3d::Fault Compensation3d::check(TouchedMotion& side) const {
 }
 
 Compensation3d::Fault Compensation3d::check_side(const TouchedMotion& side) const {
-    // Without the machine's transformation nobody holds the tip on another way.
+    // Without the machine's transformation nobody holds the tip on another path.
     if (settings_.orientation_limits.chain == nullptr && !keeps_kind(side))
         return &diag::CompMotion;
     for (const double parameter : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -214,7 +214,7 @@ Compensation3d::Fault Compensation3d::check_side(const TouchedMotion& side) cons
     return nullptr;
 }
 
-/// Straight to beside the start of the contour; what turns the tool there comes behind that.
+/// Straight to beside the start of the contour; what orients the tool there comes behind that.
 Compensation3d::Fault Compensation3d::enter(const TouchedMotion& first) {
     Command command = std::move(*approach_);
     approach_.reset();
@@ -250,7 +250,7 @@ Compensation3d::Fault Compensation3d::join(TouchedMotion& next) {
     return nullptr;
 }
 
-/// Both sides end where the cutter touches both of them as it stands at the corner. A tool that
+/// Both elements end where the cutter touches both of them as it stands at the corner. A tool that
 /// turns there touches both lines while it does.
 Compensation3d::Fault Compensation3d::join_inside(TouchedMotion& next, const Corner& corner) {
     const bool turns = (corner.behind - corner.tool).norm() > kSameToolDirection;
@@ -320,7 +320,8 @@ Compensation3d::Fault Compensation3d::meet(TouchedMotion& a, TouchedMotion& b,
         slopes.col(1) = (*by_begin - *gap) / kStep;
         if (!(std::abs(slopes.determinant()) > 1e-12)) return &diag::CompNoIntersection;
         const Eigen::Vector2d step = slopes.inverse() * *gap;
-        // Nothing is left of a side that ends where it begins, and on nothing no tool turns.
+        // Nothing is left of an element that ends where it begins, and no orientation changes
+        // there.
         end = std::min(std::max(end - step[0], a.begin + 2 * kStep), 1.0 + kStep);
         begin = std::clamp(begin - step[1], -kStep, b.end - 2 * kStep);
     }
@@ -347,7 +348,7 @@ void Compensation3d::join_outside(TouchedMotion& next, const Corner& corner) {
     emit_waiting(contact, corner.point);
     const auto from = path::beside(corner.first, corner.behind);
     const auto to = path::beside(corner.second, corner.behind);
-    if (!from || !to) return;  // the next side says it
+    if (!from || !to) return;  // the next element reports it
     const double turn = std::abs(angle_about(corner.behind, *from, *to));
     emit_arc(next.command, corner.point, *from, *to,
              settings_.cutter.contact.radius > 0 ? turn : -turn);
@@ -392,8 +393,8 @@ path::CurvePoint Compensation3d::TouchedMotion::at(double share) const {
     return point;
 }
 
-/// Whether the tip's way is of the same kind: of a side a line, or an arc square to a tool that
-/// does not turn; on a surface that does not turn either, any.
+/// Whether the tip's path is of the same kind: of peripheral milling a line, or an arc square to a
+/// tool that does not change its direction; on a surface that does not turn either, any.
 bool Compensation3d::keeps_kind(const TouchedMotion& side) {
     if (side.turns()) return false;
     if (side.contact.kind == ContactKind::Face) return side.contact.turn == 0;
@@ -417,7 +418,7 @@ Vec3 Compensation3d::tool_along(const path::Motion& motion, const AxisValues& fr
                                 joints_at(*settings_.orientation_limits.chain, axes));
 }
 
-/// At a share of the whole way.
+/// At a share of the whole path.
 Vec3 Compensation3d::tool_on(const TouchedMotion& side, double share) const {
     if (side.command.motion().orient_kind > path::OrientKind::Axes)
         return path::direction_at(orient_law_on(side), side.curve, share * side.length());
@@ -452,9 +453,9 @@ AxisValues Compensation3d::axes_on(const TouchedMotion& side, double share) cons
     return axes;
 }
 
-/// How the tool turns along the way of a side: a block shares its turn out over the way that it has
+/// The tool orientation along an element: a block shares its change out over the path that it has
 /// in the end (S 7.4: u is the path fraction), so that a corner is passed with the tool that the
-/// program gives it. A second point keeps to the ends of the way as it does to those programmed.
+/// program gives it. A second point keeps to the ends of the path as it does to those programmed.
 path::OrientLaw Compensation3d::orient_law_on(const TouchedMotion& side) {
     const double length = side.length();
     const double part = side.part() * length;
@@ -469,7 +470,7 @@ path::OrientLaw Compensation3d::orient_law_on(const TouchedMotion& side) {
     return path::part_of(orientation, -begin, length - begin);
 }
 
-/// What a command says of it for what is left.
+/// What a command gives for it for what is left.
 void Compensation3d::cut_turn(const TouchedMotion& side, path::Motion& motion) {
     if (!motion.orient_details) return;
     const double length = side.length();
@@ -480,7 +481,7 @@ void Compensation3d::cut_turn(const TouchedMotion& side, path::Motion& motion) {
         motion.orient_details->axis = side.part() * length * orientation.axis;
 }
 
-/// The cutter as it stands at a place of the contour or of the surface.
+/// The cutter as it stands at a point of the contour or of the surface.
 Contact Compensation3d::standing(const Vec3& guide) const {
     Contact contact = settings_.cutter.contact;
     if (contact.kind == ContactKind::Flank) contact.kind = ContactKind::Pivot;
@@ -491,7 +492,7 @@ Contact Compensation3d::standing(const Vec3& guide) const {
 
 // ------------------------------------------------------------------------------ commands out
 
-/// A way that is only shifted, or an arc about the tool, stays what it is.
+/// A path that is only shifted, or an arc about the tool, stays what it is.
 void Compensation3d::emit(TouchedMotion& side) {
     const AxisValues start = axes_on(side, side.begin);
     if (!is_same_position(start, shown_))
@@ -532,7 +533,7 @@ void Compensation3d::emit(TouchedMotion& side) {
     put(std::move(command));
 }
 
-/// What waited at a corner; the guide's turn is shared out among the turns of the tool.
+/// What waited at a corner; the guide's rotation is shared out among the changes of orientation.
 void Compensation3d::emit_waiting(Contact contact, const Vec3& at) {
     const double whole = contact.turn;
     double angles = 0;
@@ -557,7 +558,7 @@ void Compensation3d::emit_waiting(Contact contact, const Vec3& at) {
     waiting_.clear();
 }
 
-/// The tool turns about the place that it touches.
+/// The orientation changes about the point that is touched.
 void Compensation3d::emit_turn(Command command, Contact contact, const Vec3& at) {
     const AxisValues before = shown_;
     const Vec3 tool = shown_tool_;
@@ -622,7 +623,7 @@ void Compensation3d::emit_line_to(const Command& model, const AxisValues& to, co
     put(std::move(command));
 }
 
-/// A way to the contour or from it, between two places as it is programmed.
+/// A path to the contour or from it, between two points as it is programmed.
 void Compensation3d::put_path(Command command, const Vec3& from, const Vec3& to) {
     shift_point({from, to, linear(shown_), linear(command.motion().to)}, command.motion());
     shown_tool_ = tool_behind(command.motion());

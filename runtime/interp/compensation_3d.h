@@ -1,11 +1,11 @@
-// compensation_3d.h — compensation of the cutter in space: commands of the place where it
-// touches in, commands of its tip out, a block later (S 5.3, motion.md §8.2, §8.3).
+// compensation_3d.h — 3D compensation: commands of the point where the cutter touches in, commands
+// of its tip out, a block later (S 5.3, motion.md §8.2, §8.3).
 //
-// Its side touches a contour, or its end a surface whose normals the commands bring along. The tool
-// may turn while it goes along and at corners, and so may a surface. Where they do, the tip's way
-// is no line and no arc: the command says where the cutter touches (path/contact.h), and motion
-// finds the tip at every tick. Without a transformation that holds it there the way is given as
-// splines. What is different on surfaces is in compensation_3d_faces.cpp.
+// Its flank touches a contour, or its end a surface whose normals the commands bring along. The
+// tool may turn while it goes along and at corners, and so may a surface. Where they do, the tip's
+// path is no line and no arc: the command tells where the cutter touches (path/contact.h), and
+// motion finds the tip at every tick. Without a transformation that holds it there the path is
+// given as splines. What is different on surfaces is in compensation_3d_faces.cpp.
 #pragma once
 
 #include <functional>
@@ -23,9 +23,9 @@ namespace kadr::interp {
 
 /// The cutter as it touches.
 struct Cutter3d {
-    path::Contact contact;  // a Side, positive to the right of the contour, or a Face; of what is
-                            // touched it knows nothing
-    double flank = 0;       // of a Face: between the cutter's side and its axis, rad
+    path::Contact contact;  // peripheral milling, positive to the right of the contour, or face
+                            // milling; of what is touched it knows nothing
+    double flank = 0;       // of face milling: between the flank and its axis, rad
 
     bool is_face_milling() const { return contact.kind == path::ContactKind::Face; }
 };
@@ -36,9 +36,9 @@ struct Comp3dSettings {
     path::Vec3 direction = path::Vec3::UnitZ();  // of the tool where the compensation begins
     bool extends_lines = false;  // at a corner around which the cutter goes, until they meet …
     double limit = 0;            // … up to this change of direction, rad; else an arc about it
-    bool orients_on_arc = true;  // blocks that only turn the tool do it on the arc
+    bool orients_on_arc = true;  // blocks that only orient the tool do it on the arc
     bool takes_inverse_time = false;
-    int empty_blocks = 3;  // without a way that may stand in a row
+    int empty_blocks = 3;  // without travel that may stand in a row
 };
 
 class Compensation3d {
@@ -59,7 +59,7 @@ class Compensation3d {
     std::optional<CompAlarm> flush();
     /// … and the compensation is over.
     std::optional<CompAlarm> stop();
-    /// Where the tip is, once nothing waits any more.
+    /// Where the tip is, when nothing waits any more.
     const AxisValues& position() const { return shown_; }
     std::vector<path::Command>& settled() { return settled_; }
     template <typename See>
@@ -74,16 +74,16 @@ class Compensation3d {
     enum class State : std::uint8_t { Off, Starting, On, Leaving };
     using Fault = const DiagnosticRow*;  // null: none
 
-    /// A motion along the contour, as it is programmed. Corners cut its way; the tool and the other
-    /// axes do all of their part on what is left of it.
+    /// A motion along the contour, as it is programmed. Corners cut its path; the tool and the
+    /// other axes do all of their part on what is left of it.
     struct TouchedMotion {
         path::Command command;
         path::Curve curve;
         path::Vec3 from_tool;  // directions at its ends
         path::Vec3 to_tool;
         AxisValues from{};      // where the contour and the rotary axes begin
-        path::Contact contact;  // of a Face with its normals
-        double begin = 0;       // shares of the way: what its corners leave
+        path::Contact contact;  // of face milling with its normals
+        double begin = 0;       // shares of the path: what its corners leave
         double end = 1;
 
         double length() const { return path::length(curve); }
@@ -165,10 +165,10 @@ class Compensation3d {
     path::Vec3 tool_ = path::Vec3::UnitZ();
     AxisValues shown_{};  // … and where the tip is behind what was let go
     path::Vec3 shown_tool_ = path::Vec3::UnitZ();
-    std::optional<path::Command> approach_;          // it ends where the first side says …
+    std::optional<path::Command> approach_;          // it ends where the first element has it …
     path::Vec3 approach_from_ = path::Vec3::Zero();  // … and begins here, as programmed
     std::optional<TouchedMotion> last_;
-    std::vector<path::Command> waiting_;  // behind the approach or the last side: no ways
+    std::vector<path::Command> waiting_;  // behind the approach or the last element: no travel
     int empty_blocks_ = 0;
     std::vector<path::Command> fresh_;
     std::vector<path::Command> settled_;

@@ -2,7 +2,7 @@
 //
 // The commands bring along how the surface lies: its normal where they begin and how that turns.
 // Where the normal jumps from one command to the next, the surface has an edge: around one that
-// stands out the cutter rolls, in a hollow one both ways end where the tips meet.
+// stands out the cutter rolls, in a hollow one both paths end where the tips meet.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,17 +26,17 @@ using std::numbers::pi;
 
 namespace {
 
-// Angle between a tool and a normal below which the face lies square to the tool, rad.
+// Angle between a tool and a normal below which the surface lies square to the tool, rad.
 constexpr double kSquare = 1e-6;
-// Rounding of normals where a cutter's side begins, rad.
+// Rounding of normals where a cutter's flank begins, rad.
 constexpr double kInclinationRounding = 1e-6;
 // What a cutter may take off beyond a hollow edge before that is one, and by how much tips may miss
 // each other in it, mm.
 constexpr double kGouge = 1e-4;
 constexpr double kMiss = 1e-3;
-// Of a way as splines, mm.
+// Of a path as splines, mm.
 constexpr double kWayTolerance = 1e-6;
-constexpr int kInclinations = 32;  // places of a way at which the tool is looked at
+constexpr int kInclinations = 32;  // points of a path at which the tool is looked at
 constexpr int kBends = 16;         // … and the surface
 
 Contact part_of(const Contact& contact, double from, double to) {
@@ -69,7 +69,7 @@ double Compensation3d::inclination_on(const TouchedMotion& side, double share) c
 }
 
 /// The share of what is left between two at which the tool is nearest to the normal, if there is
-/// one such place.
+/// one such point.
 double Compensation3d::least_inclination(const TouchedMotion& side, double from, double to) const {
     constexpr double kNarrow = 1e-10;
     const auto tilt = [&](double share) { return inclination_on(side, side.share_of_path(share)); };
@@ -84,8 +84,8 @@ double Compensation3d::least_inclination(const TouchedMotion& side, double from,
     return (from + to) / 2;
 }
 
-/// The edge reaches from the face to where the cutter's side begins. A face that lies square to the
-/// tool all the way touches with its middle; one that comes to lie so on the way would have to
+/// The edge reaches from the end face to where the flank begins. A surface that lies square to the
+/// tool all along touches with its middle; one that comes to lie so on the path would have to
 /// touch with its other side from there on.
 Compensation3d::Fault Compensation3d::check_inclinations(TouchedMotion& side) const {
     std::array<double, kInclinations + 1> tilts;
@@ -115,7 +115,7 @@ Compensation3d::Fault Compensation3d::check_inclinations(TouchedMotion& side) co
 }
 
 /// In a hollow that bends more than the cutter does its tip would go back: as the tool stands, the
-/// tip's way has the direction of the path everywhere.
+/// tip's path has the direction of the path everywhere.
 Compensation3d::Fault Compensation3d::check_bends(const TouchedMotion& side) const {
     if (side.contact.turn == 0) return nullptr;
     constexpr double kStep = 1e-5;
@@ -143,7 +143,7 @@ Compensation3d::Fault Compensation3d::join_surfaces(TouchedMotion& next) {
     const Vec3 from = guide_on(*last_, 1);
     const Vec3 to = guide_on(next, 0);
     const double angle = path::angle_between(from, to);
-    // A way that rises out of the surface before or behind it lies in a hollow.
+    // A path that rises out of the surface before or behind it lies in a hollow.
     const double rise = std::max(corner.second.dot(from), -corner.first.dot(to));
     const Contact& cutter = settings_.cutter.contact;
     const bool is_hollow = rise > kSmooth && cutter.radius * (1 - std::cos(angle)) > kGouge;
@@ -164,8 +164,8 @@ Compensation3d::Fault Compensation3d::join_surfaces(TouchedMotion& next) {
     return nullptr;
 }
 
-/// Both ways end where the tips meet as the tool stands at the edge. In space they need not: then
-/// no place of the cutter touches both surfaces on the way.
+/// Both paths end where the tips meet as the tool stands at the edge. In space they need not: then
+/// no point of the cutter touches both surfaces on the path.
 Compensation3d::Fault Compensation3d::join_hollow(TouchedMotion& next, const Corner& corner) {
     if (std::ranges::any_of(waiting_,
                             [&](const Command& command) { return changes_orientation(command); }))
@@ -186,8 +186,8 @@ Compensation3d::Fault Compensation3d::join_hollow(TouchedMotion& next, const Cor
     return nullptr;
 }
 
-/// The cutter rolls around an edge from one normal to that of the next surface. Where its face
-/// comes to lie square to the tool on the way it slides over the edge.
+/// The cutter rolls around an edge from one normal to that of the next surface. Where its end
+/// comes to lie square to the tool on the path it slides over the edge.
 void Compensation3d::roll(const TouchedMotion& next, const Vec3& from, const Vec3& at) {
     const Vec3 to = guide_on(next, 0);
     const Vec3 across = from.cross(to);
@@ -235,9 +235,9 @@ void Compensation3d::roll_part(const Contact& contact, const TouchedMotion& next
 
 namespace {
 
-/// The cubic over a part of a way that begins and ends as the way does.
+/// The cubic over a part of a path that begins and ends as the path does.
 path::SplineShape cubic_over(const std::function<Vec3(double)>& tip, double from, double to) {
-    // Slopes from inside: at its ends a way may be a limit (path::tip_or_limit).
+    // Slopes from inside: at its ends a path may be a limit (path::tip_or_limit).
     const double step = (to - from) * 1e-3;
     const auto slope = [&](double at, double h) {
         return Vec3((-5 * tip(at + h) + 8 * tip(at + 2 * h) - 3 * tip(at + 3 * h)) / (2 * h));
@@ -263,7 +263,7 @@ bool is_near(const std::function<Vec3(double)>& tip, double from, double to,
 
 }  // namespace
 
-/// A way that is no line and no arc, where no transformation of the machine holds the tip on it.
+/// A path that is no line and no arc, where no transformation of the machine holds the tip on it.
 void Compensation3d::emit_splines(const Command& model, const AxisValues& from,
                                   const TipPath& tip) {
     constexpr double kShortest = 1e-4;

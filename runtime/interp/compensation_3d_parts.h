@@ -12,7 +12,7 @@ namespace kadr::interp {
 
 // Sine of the change of direction below which a corner is none.
 inline constexpr double kSmooth = 1e-7;
-// Ways shorter than this are none: rounding of frames, mm.
+// Distances shorter than this are none: rounding of frames, mm.
 inline constexpr double kStill = 1e-9;
 
 inline bool is_same_position(const AxisValues& a, const AxisValues& b) {

@@ -34,7 +34,7 @@ std::optional<Vec2> touched(const Vec2& corner, const Vec2& from, double distanc
     return std::nullopt;
 }
 
-/// Of the cutter's way beside an element, 1/mm, positive where it bends to the left.
+/// Of the cutter's path beside an element, 1/mm, positive where it bends to the left.
 double curvature_beside(const Element& element, double distance) {
     if (!element.is_arc()) return 0;
     const double bend = element.sweep > 0 ? 1 : -1;
@@ -72,7 +72,7 @@ FoundElement retract_element(nc::CompStart start, const Element& last, const Vec
     }
     const bool is_behind = left_of(tangent).dot(along) * distance < -path::kSamePoint;
     if (start != nc::CompStart::Around || !is_behind) return MaybeElement{};
-    // The way back touches from the other side.
+    // The retraction touches from the other side.
     const std::optional<Vec2> touch = touched(last.to, to, -distance);
     if (!touch) return CompPathFault::Blocked;
     return MaybeElement(path::line_element(last.to, last.to + (to - *touch)));

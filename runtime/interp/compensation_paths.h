@@ -1,4 +1,4 @@
-// compensation_paths.h — the cutter's way to a contour and away from it: around its end, or on a
+// compensation_paths.h — the cutter's path to a contour and away from it: around its end, or on a
 // curve.
 //
 // Geometry of the working plane alone, mm. A distance is that of the cutter's centre from the
@@ -16,7 +16,7 @@
 
 namespace kadr::interp {
 
-/// Why there is no way to the contour, or away from it.
+/// Why there is no path to the contour, or away from it.
 enum class CompPathFault : std::uint8_t {
     Blocked,  // the cutter is nearer to the contour's end than its radius
 };
@@ -31,7 +31,7 @@ Result<std::optional<path::Element>, CompPathFault> approach_element(nc::CompSta
                                                                      const path::Element& first,
                                                                      const path::Vec2& from,
                                                                      double distance);
-/// The same of the way from the last element of the contour to where the cutter's centre goes.
+/// The same of the path from the last element of the contour to where the cutter's centre goes.
 Result<std::optional<path::Element>, CompPathFault> retract_element(nc::CompStart start,
                                                                     const path::Element& last,
                                                                     const path::Vec2& to,

@@ -1,4 +1,4 @@
-// compensation_plane.h — the plane in which a contour is compensated: what commands say in it, and
+// compensation_plane.h — the plane in which a contour is compensated: what commands give in it, and
 // how it lies in the base system.
 //
 // Geometry alone: nothing here knows of cutters and corners.
@@ -40,7 +40,7 @@ class CompPlane {
     void shift(AxisValues& values, const path::Vec2& by) const;
     /// The end of a motion, and the centre that it may have.
     void shift(path::Motion& motion, const path::Vec2& by) const;
-    /// The way of a line or an arc that begins at a point.
+    /// The path of a line or an arc that begins at a point.
     path::Element element_of(const path::Motion& motion, const path::Vec2& from) const;
     /// The motion goes along an arc, with the full turns that it has beside it.
     void go_along(const path::Element& arc, path::Motion& motion) const;

@@ -129,7 +129,7 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
     const bool is_mirrored = frames_.is_mirrored(modal_.plane);
     ContourElements out;
     Vec2 from = in_plane(run.before.position.base());
-    std::size_t at = 0;  // of what the blocks have said
+    std::size_t at = 0;  // of what the blocks have programmed
     for (const Command& command : run.commands) {
         if (!command.is_motion()) continue;
         const auto of_line = std::find_if(
@@ -139,7 +139,7 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
         const path::Motion& motion = command.motion();
         const Vec2 to = in_plane(motion.to);
         const bool is_arc = command.op() == Op::Arc;
-        // Blocks that lead nowhere are no elements; but the first one is the way to the contour,
+        // Blocks that lead nowhere are no elements; but the first one is the path to the contour,
         // also of a tool that stands there already (unsure).
         if (!is_arc && !out.empty() && (to - from).norm() <= path::kSamePoint) continue;
         ContourElement element;
@@ -158,7 +158,7 @@ std::optional<ContourElements> ContourTables::contour_of(const ContourRun& run) 
             const AxisValues center{arc.center.x(), arc.center.y(), arc.center.z()};
             element.shape =
                 path::arc_element(from, to, in_plane(center), arc.is_clockwise != is_mirrored);
-            // More than a turn is no element, and ends where a full circle does.
+            // More than a revolution is no element, and ends where a full circle does.
             if (arc.turns > 0) element.shape.sweep = std::copysign(arc.sweep, element.shape.sweep);
         }
         if (at < run.modes.size()) {

@@ -107,7 +107,7 @@ void Cornering::wish_corner(const Block& block, const Actions& actions) {
             reporter_.report(diag::PointCorner, block, actions.corner->function);
         return;
     }
-    // Where a soft approach begins its contour, nothing stands before the corner.
+    // Where a smooth approach begins its contour, nothing stands before the corner.
     if (actions.smooth_approach != nullptr || smooth_approach_.needs_point()) {
         if (actions.corner != nullptr) reporter_.report(diag::CornerNotContour, block);
         return;

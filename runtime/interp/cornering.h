@@ -16,12 +16,12 @@ class Cornering {
 
     /// A chamfer, a rounding, or their feed, at the end of the block's motion.
     void choose_corner(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
-    /// Tells the corners what this block wants, before it puts its motion.
+    /// Tells the corners what this block asks for, before it puts its motion.
     void wish_corner(const nc::Block& block, const Actions& actions);
-    /// Whether the words of arcs beside a line say a corner.
+    /// Whether the words of arcs beside a line program a corner.
     bool has_square_corner(const nc::Block& block) const;
-    /// A chamfer or a rounding at a square corner, said by the words of arcs beside a line: the
-    /// centre word of the other axis, or a radius, whose sign is the way on.
+    /// A chamfer or a rounding at a square corner, programmed by the words of arcs beside a line:
+    /// the centre word of the other axis, or a radius, whose sign is the direction onwards.
     void wish_square_corner(const nc::Block& block, const Target& target);
     /// A cycle, or the end of the text, has no corner with the motion before it.
     void leave_corners(const DiagnosticRow& why);

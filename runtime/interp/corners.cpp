@@ -28,7 +28,7 @@ namespace {
 constexpr double kRapidPart = pi / 18;
 
 /// Whether the tool is led under a transformation, which its block ends with whatever a corner cuts
-/// off its path. Where it keeps to a surface or a line in space, the path says how it stands.
+/// off its path. Where it keeps to a surface or a line in space, the path decides its direction.
 bool gives_direction(const path::Motion& motion) {
     return !motion.virtual_axes().is_on() && (motion.orient_kind == path::OrientKind::Axes ||
                                               motion.orient_kind == path::OrientKind::Cone);
@@ -128,7 +128,7 @@ std::optional<CornerMessage> Corners::leave(const DiagnosticRow& why) {
 
 /// What waits goes on as it was programmed.
 CornerMessage Corners::end_with(const DiagnosticRow& row) {
-    // Of CornerSign: 1 of a corner R, 0 of a chamfer, and what was said.
+    // Of CornerSign: 1 of a corner R, 0 of a chamfer, and what was programmed.
     const double is_round = held_wish_.kind == CornerWish::Kind::Round ? 1 : 0;
     const CornerMessage message{&row, source_, is_round, held_wish_.size * held_wish_.sign};
     fresh_.clear();
@@ -224,7 +224,7 @@ Corners::Fault Corners::take_motion(Item& item) {
     at_ = motion.to;
     tool_ = motion.direction;
     if (is_taken(motion, from)) {
-        // The tool turns all the same.
+        // The orientation changes all the same.
         if (gives_direction(motion) && rotary_differs(from, at_)) {
             item.command.become(Op::Line);
             settled_.push_back(std::move(item));
@@ -277,7 +277,7 @@ Corners::Fault Corners::join(Command& next) {
     return nullptr;
 }
 
-/// A form that says where the contour goes on has a square corner there.
+/// A form that gives where the contour goes on has a square corner there.
 Corners::Fault Corners::check_sides(const path::Motion& next, const Element& a,
                                     const Element& b) const {
     if (!held_wish_.is_square) return nullptr;
@@ -427,7 +427,7 @@ bool Corners::is_taken(const path::Motion& motion, const AxisValues& from) const
     return left <= path::kSamePoint;
 }
 
-/// A place on a motion: the other axes go evenly along it.
+/// A position on a motion: the other axes go evenly along it.
 AxisValues Corners::between(const AxisValues& from, const AxisValues& to, double share,
                             const Vec2& at) const {
     AxisValues values = to;

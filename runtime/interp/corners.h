@@ -26,7 +26,7 @@ struct CornerWish {
     Kind kind = Kind::None;
     double size = 0;         // mm in the base system
     double feed = 0;         // of the inserted element; 0: that of a neighbour
-    bool is_modal = false;   // nothing is said where there is no corner
+    bool is_modal = false;   // nothing is reported where there is no corner
     bool is_open = false;    // no corner so far: a block behind this one may wish for it
     bool is_square = false;  // along `next` the contour goes on, in the direction of `sign`
     Axis next = Axis::X;
@@ -53,7 +53,7 @@ struct CornerMessage {
     double wanted = 0;
 };
 
-/// A change of the compensation, at its place among the commands.
+/// A change of the compensation, at its position among the commands.
 struct CompChange {
     enum class Kind : std::uint8_t {
         Leave,
@@ -74,7 +74,7 @@ struct CompChange {
     std::optional<path::Vec2> direction = {};  // Leave, RoundCorner
     path::Command motion = {};                 // RoundCorner
     path::Vec2 aside = path::Vec2::Zero();     // Begin, Set: see Compensation::set_aside
-    std::optional<Comp3dSettings> space = {};  // Begin, Set: in space
+    std::optional<Comp3dSettings> space = {};  // Begin, Set: 3D compensation
 };
 
 class Corners {
@@ -107,8 +107,8 @@ class Corners {
     void change(const CompChange& change);
     /// Takes what a block has put. `here` is where the tool is behind it.
     std::optional<CornerMessage> end_block(const AxisValues& here, const CornerSource& source);
-    /// Nothing follows that could be the other side of a corner; `why` is said if one waits that
-    /// was wished for.
+    /// Nothing follows that could be the other side of a corner; `why` is reported if one waits
+    /// that was wished for.
     std::optional<CornerMessage> leave(const DiagnosticRow& why);
     /// Items that are settled, in the base system.
     std::vector<Item> take_settled();

@@ -29,7 +29,7 @@ using path::Vec3;
 
 namespace {
 
-/// As the seam says them: canonical units.
+/// As the seam gives them: canonical units.
 double canonical(double value, nc::Dimension dimension) {
     switch (dimension) {
         case nc::Dimension::Angle: return rad_from_deg(value);

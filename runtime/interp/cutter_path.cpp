@@ -95,8 +95,8 @@ void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
     put(std::move(command));
 }
 
-/// The other axes come to rest at the contour: on the way to it at its end, on the way from it they
-/// begin so.
+/// The other axes come to rest at the contour: on the path to it at its end, on the path from it
+/// they begin so.
 void CutterPath::put_curve(const ProgrammedMotion& motion, const Vec2& to, const EndCurve& curve) {
     Command command = motion.command;
     plane_.set_point(command.motion().to, to);
@@ -189,7 +189,7 @@ void CutterPath::orient_along_arc(const ProgrammedMotion& motion, const Element&
     beside.orient_details->outwards = motion.radius - radius;
 }
 
-/// A position on the way beside an arc as it lies on the programmed one.
+/// A position on the path beside an arc as it lies on the programmed one.
 path::Vec3 CutterPath::beside_center(const Element& arc, double scale, const AxisValues& at) const {
     AxisValues position = at;
     plane_.set_point(position, arc.center + scale * (plane_.point(at) - arc.center));

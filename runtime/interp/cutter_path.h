@@ -1,4 +1,4 @@
-// cutter_path.h — the cutter's way beside a contour, as commands that are settled.
+// cutter_path.h — the cutter's path beside a contour, as commands that are settled.
 //
 // What runs beside which element is known before: here it becomes commands, with the other axes,
 // feed and orientation that they inherit from the programmed motion.
@@ -43,10 +43,10 @@ class CutterPath {
 
     /// Where the last command was programmed to end.
     void set_programmed(const AxisValues& programmed) { programmed_ = programmed; }
-    /// The cutter has come to a position in another way.
+    /// The cutter has come to a position on another path.
     void stand_at(const AxisValues& position, const AxisValues& programmed);
 
-    /// A command that says nothing of the cutter's way.
+    /// A command that does not concern the cutter's path.
     void pass(path::Command command) { settled_.push_back(std::move(command)); }
     /// A command without motion in the plane: where the cutter stands now.
     void put_standing(path::Command command);
@@ -64,8 +64,8 @@ class CutterPath {
 
     /// Commands of the base system, in order. The caller clears them.
     std::vector<path::Command>& settled() { return settled_; }
-    /// Whether, since it was asked last, a command was left out as the rotary axes cannot turn the
-    /// tool on the way beside the contour.
+    /// Whether, since it was asked last, a command was left out as the rotary axes cannot orient
+    /// the tool on the path beside the contour.
     [[nodiscard]] bool take_orientation_fault();
 
   private:

@@ -1,4 +1,4 @@
-// cycle_run.h — the cycles that a program has said, and the one that runs. Internal to interp.
+// cycle_run.h — the programmed cycles, and the one that runs. Internal to interp.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct ModalCycles {
     CycleData data;
     std::optional<nc::Block> behind_motions;  // the call that every motion is followed by
     std::vector<ModalCycle> presets;          // parameters that the next calls need not give
-    std::optional<nc::CycleId> defined;       // the one of them that was said last
+    std::optional<nc::CycleId> defined;       // the one of them that was programmed last
     bool returns_to_retract = false;
 };
 

@@ -1,7 +1,7 @@
 // cycle_strokes.h — a modal cycle whose code does something else when a stroke is kept for it.
 //
 // On some controls one code is two cycles, as G84 of a FANUC: with Q it taps in strokes. The stroke
-// is modal, so it may be said in a later block than the code.
+// is modal, so it may be programmed in a later block than the code.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// cycle_words.cpp — the words of a cycle's call: what it says, what it leaves to the calls before
-// it, and what the state of the control says for it.
+// cycle_words.cpp — the words of a cycle's call: what it gives, what it leaves to the calls before
+// it, and what the state of the control adds to it.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ using nc::Slot;
 
 namespace {
 
-/// Whether the call says its shift along both axes, so that it has a direction.
+/// Whether the call gives its shift along both axes, so that it has a direction.
 bool has_shift_vector(const nc::CycleInfo& cycle, const ModalCycle& call) {
     if (cycle.roles.shift < 0) return false;
     return call.has(static_cast<std::size_t>(cycle.roles.shift) + 1);
@@ -33,7 +33,7 @@ bool has_shift_vector(const nc::CycleInfo& cycle, const ModalCycle& call) {
 
 }  // namespace
 
-/// A form of the cycle that the call says by a letter ("E") is the number of the letter; 0: it is
+/// A form of the cycle that the call gives by a letter ("E") is the number of the letter; 0: it is
 /// none.
 void Cycles::take_letter(const Block& block, ModalCycle& call) const {
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
@@ -61,7 +61,7 @@ control::CycleLevel Cycles::retract_now(double value) const {
     return control::cycle_retract(rules_, value, modal_.is_incremental);
 }
 
-/// Keeps what a call says by its words; what its code says by itself is not for other cycles.
+/// Keeps what a call gives by its words; what its code has by itself is not for other cycles.
 void Cycles::keep_call(const ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
@@ -101,14 +101,14 @@ void Cycles::keep_levels(const Block& block) {
 
 void Cycles::warn_levels(const Block& block) {
     if (dialect_.cycles()[block.cycle].roles.depth < 0) return;
-    // A distance that nobody says is none: the cycle begins where the tool stands.
+    // A distance that nobody gives is none: the cycle begins where the tool stands.
     if (!modal_cycles_.data.levels.retract.is_given && !retract_now(0).is_distance)
         reporter_.report(diag::CycleLevelMissing, block, Function::Cycle).arg("retract level");
     if (!modal_cycles_.data.levels.depth.is_given)
         reporter_.report(diag::CycleLevelMissing, block, Function::Cycle).arg("depth");
 }
 
-/// Fills the call with what its own words, and those of the cycles before it, have said.
+/// Fills the call with what its own words, and those of the cycles before it, have given.
 void Cycles::complete_words(ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     const nc::CycleInfo::Roles& roles = info.roles;
@@ -130,8 +130,8 @@ void Cycles::complete_words(ModalCycle& call) {
     call.set(find_parameter(info.parameters, "initial"), levels.back);
 }
 
-/// Where a scaling spares what a cycle says of ways, the cycle runs without it, between the levels
-/// that it gives.
+/// Where a scaling spares what a cycle gives for distances, the cycle runs without it, between the
+/// levels that it gives.
 void Cycles::take_off_scale(ModalCycle& call) {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (rules_.cycle_distances_scaled || !frames_.is_scaled() || info.roles.depth < 0) return;
@@ -155,7 +155,7 @@ void Cycles::take_off_scale(ModalCycle& call) {
 
 /// The library's cycles begin and end at their initial level; those of controls go straight to the
 /// retract level. Where the tool is not at the initial level, the cycle takes it to be there: then
-/// its first way is the one to the retract level.
+/// its first motion is the one to the retract level.
 void Cycles::go_straight(ModalCycle& call) {
     cycle_.final_level.reset();
     cycle_.begins_at.reset();
@@ -221,8 +221,8 @@ Done Cycles::require_whole_counts(const Block& block, const ModalCycle& call) {
     return kDone;
 }
 
-/// Cycles of a lathe have their end in X and Z. What a word of the call says of it may be a
-/// distance, and so is what the block says besides, where the end has letters of its own for them.
+/// Cycles of a lathe have their end in X and Z. What a word of the call gives for it may be a
+/// distance, and so is what the block gives besides, where the end has letters of its own for them.
 void Cycles::take_ends(const Block& block, ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
         const Slot slot = nc::slot_of(axis);
@@ -238,8 +238,8 @@ void Cycles::take_ends(const Block& block, ModalCycle& call) const {
     }
 }
 
-/// A modal cycle to an end in X and Z keeps what its calls before have said; what none has said of
-/// the end is where the tool stands.
+/// A modal cycle to an end in X and Z keeps what its calls before have programmed; what none has
+/// programmed of the end is where the tool stands.
 void Cycles::complete_ends(ModalCycle& call) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     if (!is_modal(call.cycle) || !find_parameter(info.parameters, "x")) return;
@@ -252,7 +252,7 @@ void Cycles::complete_ends(ModalCycle& call) const {
     end_where_tool_stands(call);
 }
 
-/// What nothing has said of the end of a cycle is where the tool stands.
+/// What nothing has programmed of the end of a cycle is where the tool stands.
 void Cycles::end_where_tool_stands(ModalCycle& call) const {
     for (const Axis axis : {Axis::X, Axis::Z}) {
         const std::optional<std::size_t> end =
@@ -270,7 +270,7 @@ void Cycles::forget_ends() {
     }
 }
 
-/// A tapping cycle whose words do not say the pitch has it from the feed: F itself where it counts
+/// A tapping cycle whose words do not give the pitch has it from the feed: F itself where it counts
 /// by the revolution, else F divided by the speed.
 Done Cycles::complete_tap(const Block& block, ModalCycle& call) {
     const std::optional<std::size_t> pitch =
@@ -287,7 +287,7 @@ Done Cycles::complete_tap(const Block& block, ModalCycle& call) {
     const bool is_pitch = modal_.feed_mode == path::FeedMode::PerRevolution;
     const double turn = is_pitch ? modal_.feed : modal_.feed / spindle_.speed;
     call.set(pitch, turn);
-    // Told where the cycle is called or gets another feed, not at each of its holes.
+    // Reported where the cycle is called or gets another feed, not at each of its holes.
     const bool is_new = block.find(Function::Cycle) != nullptr || block.has(Slot::Feed);
     if (!is_pitch && is_new) channel_.dangers.watch_tap(block, Function::Cycle);
     return kDone;
@@ -310,7 +310,7 @@ Done Cycles::complete_thread(const Block& block, ModalCycle& call) {
     return kDone;
 }
 
-/// Dwells below 0 count turns of the spindle on some controls.
+/// Dwells below 0 count revolutions of the spindle on some controls.
 Done Cycles::time_turns(const Block& block, ModalCycle& call) {
     if (!rules_.negative_dwell_turns) return kDone;
     const std::vector<nc::Parameter>& parameters = dialect_.cycles()[call.cycle].parameters;
@@ -328,9 +328,9 @@ Done Cycles::time_turns(const Block& block, ModalCycle& call) {
     return kDone;
 }
 
-/// What a call does not say because the control knows it: the cutter's diameter, the radius of the
+/// What a call does not give because the control knows it: the cutter's diameter, the radius of the
 /// offset that it names or else the last D (whatever has ended the compensation), the plane (17 to
-/// 19), and whether a cycle is called at the places of a pattern.
+/// 19), and whether a cycle is called at the positions of a pattern.
 void Cycles::complete_surroundings(ModalCycle& call, bool calls_program) const {
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
     call.set(find_parameter(info.parameters, "tool_d"),

@@ -70,7 +70,7 @@ Cycles::Cycles(Channel& channel)
 
 namespace {
 
-/// Whether a call says one of the words without which a modal cycle drills no hole.
+/// Whether a call has one of the words without which a modal cycle drills no hole.
 ///
 /// source  F 5.1: a block drills with any of X, Y, Z, R or of another axis
 bool names_position(const Block& block, const ModalCycle& call, const nc::CycleInfo::Roles& roles) {
@@ -81,7 +81,7 @@ bool names_position(const Block& block, const ModalCycle& call, const nc::CycleI
            says(roles.retract);
 }
 
-/// What a block that drills no hole says of strokes and dwells is not stored (F 5.1).
+/// What a block that drills no hole gives for strokes and dwells is not stored (F 5.1).
 void forget_words(ModalCycle& call, const nc::CycleInfo::Roles& roles) {
     for (const int parameter : {roles.stroke, roles.shift, roles.dwell}) {
         if (parameter < 0 || (call.by_form >> parameter & 1u) != 0) continue;
@@ -149,7 +149,7 @@ void Cycles::call_cycle(const Block& block, const Actions& actions) {
         keep_words(actions.cycle_words);
         warn_levels(block);
     }
-    // A pattern leaves the modal cycle as it is, which is called at its places.
+    // A pattern leaves the modal cycle as it is, which is called at its positions.
     if (find_parameter(info.parameters, kPatternParameter)) return start_cycle(block, call);
     modal_cycles_.modal = call;
     if (count_times(actions.cycle_words)) start_cycle(block, call);
@@ -168,7 +168,7 @@ void Cycles::call_behind_motion(const Block& block) {
     call.context = block.context;
     call.given = 0;
     const nc::CycleInfo& info = dialect_.cycles()[call.cycle];
-    if (names_shape(info) && !patterns_.empty()) {  // its contour follows no motion to a place
+    if (names_shape(info) && !patterns_.empty()) {  // its contour follows no motion to a position
         reporter_.report(diag::CycleUnavailable, call, Function::Cycle).arg(info.name);
         return;
     }
@@ -237,8 +237,8 @@ bool Cycles::is_among_positions() const {
     return modal.is_active && !find_parameter(dialect_.cycles()[modal.cycle].parameters, "x");
 }
 
-/// All that the block says beside a cycle to an end in X and Z is the cycle's. Drilling
-/// cycles take words that wait for another cycle, and go to a place by any axis.
+/// All that the block programs beside a cycle to an end in X and Z is the cycle's. Drilling
+/// cycles take words that wait for another cycle, and go to a position by any axis.
 Done Cycles::require_words_of_cycle(const Block& block, const Actions& actions) {
     const bool is_called = actions.cycle != nullptr;
     const nc::CycleInfo& info =
@@ -270,7 +270,7 @@ void Cycles::repeat_cycle(const Block& block, const Actions& actions) {
     keep_levels(block);
     keep_words(actions.cycle_words);
     ModalCycle ends = modal_cycles_.modal;
-    ends.given = 0;  // what the calls before have said are places already
+    ends.given = 0;  // what the calls before have programmed are positions already
     take_ends(block, ends);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
         if ((ends.given >> i & 1u) != 0) modal_cycles_.modal.set(i, ends.arguments[i]);
@@ -335,7 +335,7 @@ void Cycles::start_cycle(const Block& block, ModalCycle call, const CycleShape* 
     request.x_is_diameter = !cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     std::unique_ptr<Stream<Block>> blocks = cycles_->expand(request);
     if (blocks == nullptr) {
-        if (require_no_refusal(block)) reporter_.stop();  // the expander has said why
+        if (require_no_refusal(block)) reporter_.stop();  // the expander has reported why
         return;
     }
     cycle_.context = {&cycle_.caller, info.name, static_cast<std::uint16_t>(call.cycle + 1),
@@ -360,7 +360,7 @@ void Cycles::open_cycle(const Block& block, std::unique_ptr<Stream<Block>> block
     callers_.call(Callers::Kind::Cycle, std::move(blocks), kCycleBatch, &cycle_.context);
 }
 
-/// What the definition of the cycle says against its parameters is told.
+/// What the definition of the cycle finds wrong in its parameters is reported.
 Done Cycles::require_no_refusal(const Block& block) {
     const std::optional<std::string> words = cycles_->refusal();
     if (!words) return kDone;
@@ -368,7 +368,7 @@ Done Cycles::require_no_refusal(const Block& block) {
     return kFailed;
 }
 
-/// An alarm of the cycle in these words, which say what number it has on the control.
+/// An alarm of the cycle in these words, which tell what number it has on the control.
 void Cycles::refuse_cycle(const Block& block, std::string_view words) {
     DiagnosticBuilder message = reporter_.report(diag::CycleRefused, block);
     message.arg(words);
@@ -473,7 +473,7 @@ path::Plane Cycles::cycle_plane() const {
 }
 
 /// The programmed position as a cycle sees it: first and second axis of the plane, tool axis. X of
-/// a lathe is the diameter that programs say.
+/// a lathe is the diameter that is programmed.
 AxisValues Cycles::position_in_cycle() const {
     AxisValues position = position_.here();
     if (!cycle_.is_across) {

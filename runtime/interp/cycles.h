@@ -47,32 +47,33 @@ class Cycles {
     void leave_pattern();
     /// Here, or at every position from here on where it is modal.
     void call_cycle(const nc::Block& block, const Actions& actions);
-    /// Keeps parameters for the calls that follow; each line says all of its own anew.
+    /// Keeps parameters for the calls that follow; each line gives all of its own anew.
     void preset_cycle(const nc::Block& block, const nc::Invocation& invocation);
     /// The cycle that was defined last, with the parameters of its definition.
     void call_defined(const nc::Block& block);
     /// At the position that the block names.
     void repeat_cycle(const nc::Block& block, const Actions& actions);
-    /// The cycle that is called wherever an axis has moved; its place in the text is the motion's.
+    /// The cycle that is called wherever an axis has moved; its location is the motion's.
     void call_behind_motion(const nc::Block& block);
-    /// The motion code behind a cycle ended it; what was its depth is the place of the tool axis.
+    /// The motion code behind a cycle ended it; what was its depth is the position of the tool
+    /// axis.
     void move_instead_of_cycle(const nc::Block& block, const Actions& actions);
-    /// Moves to the place in the plane and opens the stream of the cycle's blocks.
+    /// Moves to the position in the plane and opens the stream of the cycle's blocks.
     void start_cycle(const nc::Block& block, ModalCycle call, const CycleShape* shape = nullptr);
     /// The level of a cycle is a word of the plane's normal; in another plane than X-Y its word of
-    /// Z is a place.
+    /// Z is a position.
     const nc::Block& with_depth_apart(const nc::Block& block);
     /// What acted before it acts again; what its caller does behind its motion is due.
     void finish_cycle();
     /// null: the pattern has no more positions
     void go_to_position(const nc::Block* position);
     /// A code of a single motion is executed in the mode of a cycle to an end in X and Z; what the
-    /// calls before have said of the end holds no longer.
+    /// calls before have given of the end holds no longer.
     void forget_ends();
-    /// Whether a modal cycle acts among whose places no other motion stands.
+    /// Whether a modal cycle acts among whose positions no other motion stands.
     bool is_among_positions() const;
     /// A block that goes to a machine coordinate or probes stands in no cycle. Behind a single
-    /// cycle to an end in X and Z the way to a machine coordinate is a motion of its own.
+    /// cycle to an end in X and Z the travel to a machine coordinate is a motion of its own.
     Done require_no_cycle(const nc::Block& block, const Actions& actions);
     /// Cycles are written for the plane X-Y with the tool axis Z; in another plane the words belong
     /// to its first axis, its second axis and its tool axis.
@@ -137,8 +138,8 @@ class Cycles {
     const std::optional<ShapeRun>& shape_;
     std::vector<PatternRun>& patterns_;
     Callers& callers_;
-    nc::Block place_{};   // of the pattern, at its caller's place in the text
-    nc::Block called_{};  // a call whose word of Z is a place, in another plane than X-Y
+    nc::Block place_{};   // of the pattern, at its caller's location
+    nc::Block called_{};  // a call whose word of Z is a position, in another plane than X-Y
 };
 
 }  // namespace kadr::interp

@@ -14,7 +14,7 @@ class DangerWatch {
     DangerWatch(const DangerWatch&) = delete;
     DangerWatch& operator=(const DangerWatch&) = delete;
 
-    /// The feed of a cut with a turning spindle, where it is another one than that of the cut
+    /// The feed of a cut with a running spindle, where it is another one than that of the cut
     /// before.
     void watch_feed(const nc::Block& block);
     /// `C2` beside a line on a lathe may have been meant as a chamfer, where the control wants a
@@ -29,12 +29,12 @@ class DangerWatch {
     void watch_missing_length(const nc::Block& block);
     /// X becomes a diameter, as on a lathe.
     void watch_diameter(const nc::Block& block, nc::Function function);
-    /// `G04 F2`: where F and S say no time, the code that dwells (ISO 6983-1) is an exact stop, and
-    /// the feed is changed.
+    /// `G04 F2`: where F and S give no time, the code that dwells (ISO 6983-1) is an exact stop,
+    /// and the feed is changed.
     void watch_dwell(const nc::Block& block);
     /// Tapping whose pitch is the feed per minute divided by the speed, `G84 … F1.25` under G94.
     ///
-    /// function  where it is said, if the block has no F
+    /// function  where it is programmed, if the block has no F
     void watch_tap(const nc::Block& block, nc::Function function);
     /// Another tool is about to come.
     void watch_change(const nc::Block& block);

@@ -1,7 +1,7 @@
 // dangers.cpp — what every control executes without a word, and what spoils a spindle.
 //
-// Each `watch_…` looks at one thing where it begins to act, says what is wrong with it, and changes
-// nothing. Thresholds are rows of danger_limits.def, messages of diagnostics/danger.def.
+// Each `watch_…` looks at one thing where it begins to act, reports what is wrong with it, and
+// changes nothing. Thresholds are rows of danger_limits.def, messages of diagnostics/danger.def.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,7 +68,7 @@ bool DangerWatch::is_allowed(const DiagnosticRow& row, const Block& block) const
            options_.is_allowed(row, reporter_.locations()->location(block));
 }
 
-/// Whether a feed is to be warned of here: from here on it counts as told, if no comment allows it.
+/// Whether a feed is to be warned of here: from here on it is reported, if no comment allows it.
 bool DangerWatch::first_time_of_feed(const DiagnosticRow& row, const Block& block) {
     if (!is_allowed(row, block)) return reported_.first_time_of_feed(modal_.feed);
     dangers_.feed = std::numeric_limits<double>::quiet_NaN();  // the next cut is looked at again
@@ -180,7 +180,7 @@ void DangerWatch::watch_dwell(const Block& block) {
     if (others == 0 && targets == 0) return;
     const std::string code = reporter_.word_of(block, Function::ExactStopOnce);
     if (code != "G04" && code != "G4") return;
-    if (targets != 0) {  // a time that the control does not know, or a place: no axis moves for it
+    if (targets != 0) {  // a time unknown to the control, or a position: no axis moves for it
         const Slot slot = first_slot(targets);
         reporter_.report(diag::IsoWordUnused, block, slot).arg(slot_word(slot));
         return;

@@ -1,6 +1,6 @@
 // data_input.cpp — blocks that write data of the control: its parameters, the lives of its tools.
 //
-// A parameter that this run knows acts; of the others is said that they do not.
+// A parameter that this run knows acts; of the others is reported that they do not.
 // source: FANUC reference 3.4 (G10 L52, G10 L3), 3.1 (No.1006), 3.5 (No.3410)
 #include <cmath>
 

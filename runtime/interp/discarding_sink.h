@@ -1,4 +1,4 @@
-// discarding_sink.h — a sink for what nobody is to be told. Internal to interp.
+// discarding_sink.h — a sink for what is not to be reported. Internal to interp.
 #pragma once
 
 #include "base/diagnostic.h"

@@ -131,7 +131,7 @@ void Executor::execute_of_cycle(const Block* block) {
     if (channel_.stages.has_stages()) channel_.stages.settle(own);
 }
 
-/// The program goes on behind this place, which nobody reads: what waits for its blocks goes as far
+/// The program goes on behind this point, which nobody reads: what waits for its blocks goes as far
 /// as it is known, and nothing is missing.
 void Executor::end_where_stopped() {
     const Reporter::Silence silence(reporter_);
@@ -168,7 +168,7 @@ void Executor::end_of_blocks() {
         return;
     }
     reporter_.end();
-    // The reader has said already why it stopped.
+    // The reader has reported already why it stopped.
     if (reporter_.locations() != nullptr && reporter_.locations()->failed()) {
         reporter_.stop();
         return;

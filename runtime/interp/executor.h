@@ -77,7 +77,7 @@ class Executor {
     const std::optional<ContourRun>& contour_;
     Callers& callers_;
     std::optional<bool> is_plain_;        // is_plain_state; nothing: to be looked at again
-    std::optional<nc::Block> open_line_;  // waits for the one that tells its end
+    std::optional<nc::Block> open_line_;  // waits for the one that gives its end
 };
 
 }  // namespace kadr::interp

@@ -75,7 +75,7 @@ std::size_t FeedCharacteristics::pull(std::span<Command> out) {
         if (taken_ == ready_) settle();
         if (taken_ == ready_) break;
         out[written++] = std::move(held_[taken_++]);
-        // A batch that is out of courses goes the short way again.
+        // A batch that is out of varying feeds goes the short path again.
     }
     return written;
 }
@@ -152,7 +152,7 @@ double FeedCharacteristics::length_of(const path::Motion& motion, const AxisValu
     return turned;
 }
 
-/// What was put out last says where the next motion begins, and with which feed.
+/// What was put out last gives where the next motion begins, and with which feed.
 void FeedCharacteristics::note(const Command& command) {
     if (!command.is_motion()) return;
     const path::Motion& motion = command.motion();
@@ -161,7 +161,7 @@ void FeedCharacteristics::note(const Command& command) {
     if (motion.op() == Op::Thread) reached_.reset();
 }
 
-/// Over the way of the block: from the feed before to F.
+/// Over the path of the block: from the feed before to F.
 FeedPolynomial FeedCharacteristics::polynomial_of(const BlockMotions& run, double from) const {
     const path::Motion& motion = held_[run.first].motion();
     const path::FeedLaw& law = motion.dynamics->law;
@@ -231,8 +231,8 @@ void FeedCharacteristics::settle_spline(const BlockMotions& first) {
     }
 }
 
-/// The motions of a block have this feed over the way of all of them, and may go out. False: the
-/// feed falls to 0, which was told, and nothing is held from there on.
+/// The motions of a block have this feed over the path of all of them, and may go out. False: the
+/// feed falls to 0, which was reported, and nothing is held from there on.
 bool FeedCharacteristics::lay(const BlockMotions& run, const FeedPolynomial& feed) {
     const double lowest = path::feed_range(feed, 0, 1).least;
     double distance = 0;

@@ -2,8 +2,8 @@
 // spline.
 //
 // Behind everything that makes commands: a block may have become several motions, which have its
-// course together, and a spline runs over blocks that have to be known first. Motions without such
-// a word go through as they are.
+// feed characteristic together, and a spline runs over blocks that have to be known first. Motions
+// without such a word go through as they are.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ namespace kadr::interp {
 
 class FeedCharacteristics {
   public:
-    /// Asked whether a command with a course may be among those that were pulled.
+    /// Asked whether a command with a feed characteristic may be among those that were pulled.
     using Asks = std::function<bool()>;
-    /// Told of a motion whose feed would fall to this, 0 or less, in the unit of F; an alarm.
+    /// Informed of a motion whose feed would fall to this, 0 or less, in the unit of F; an alarm.
     using Reports = std::function<void(const path::Command&, double)>;
 
     /// All outlive this.
@@ -30,7 +30,7 @@ class FeedCharacteristics {
           has_varying_feed_(std::move(has_varying_feed)),
           report_(std::move(report)) {}
 
-    /// Commands whose feed law says the feed along each of them.
+    /// Commands whose feed law gives the feed along each of them.
     ///
     /// source  SINUMERIK reference 3.2; splines: complete_spline.h, without curvature at their ends
     std::size_t pull(std::span<path::Command> out);
@@ -45,7 +45,7 @@ class FeedCharacteristics {
     struct Reached {
         double feed = 0;  // at the end of the latest motion
         path::FeedMode mode = path::FeedMode::PerMinute;
-        double slope = 0;  // … of a polynomial: by the way
+        double slope = 0;  // … of a polynomial: by the path
         bool is_tangent = false;
     };
     bool read();

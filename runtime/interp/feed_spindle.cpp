@@ -79,7 +79,7 @@ void Spindles::bound_speed(const Block& block, Function function, bool is_upper,
     put_speed_limits(block, before);
 }
 
-/// The programmed speed within the bounds of the spindle, rpm; said once of each speed.
+/// The programmed speed within the bounds of the spindle, rpm; reported once of each speed.
 double Spindles::bounded_speed(const Block& block) {
     const double wanted = spindle_.speed;
     if (!(wanted > 0)) return wanted;

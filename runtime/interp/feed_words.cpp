@@ -64,7 +64,7 @@ void FeedWords::count_degrees(const Block& block, path::Motion& motion) const {
     if (!counts_all && !has_inches) return;
     path::Dynamics& programmed = motion.dynamics.made();
     if (counts_all) programmed.feed_axes = axes_.present;
-    constexpr double kSame = 1e-9;  // mm: a program may say the control's radius
+    constexpr double kSame = 1e-9;  // mm: a program may give the control's radius
     for (double& radius : programmed.feed_radius)
         if (has_inches && std::abs(radius - path::kRadiusOfDegrees) < kSame) radius *= kMmPerInch;
 }

@@ -16,7 +16,7 @@ class FeedWords {
     FeedWords(const FeedWords&) = delete;
     FeedWords& operator=(const FeedWords&) = delete;
 
-    /// F as the program has said it, unit of the feed mode.
+    /// F as programmed, unit of the feed mode.
     struct Programmed {
         double feed = 0;
         bool is_given = false;
@@ -25,16 +25,16 @@ class FeedWords {
     Programmed exchange(Programmed by) {
         return {std::exchange(modal_.feed, by.feed), std::exchange(modal_.has_feed, by.is_given)};
     }
-    /// As if F had been said: nothing moves with it.
+    /// As if F had been programmed: nothing moves with it.
     void assume(double feed) { (void)exchange({feed, true}); }
 
-    /// The course of a motion's feed falls to this, in the unit of F.
+    /// The varying feed of a motion falls to this, in the unit of F.
     void report_varying_feed(const path::Command& command, double feed);
     /// Another meaning of F; some controls forget the old value.
     void select_feed_mode(nc::Function member);
     /// F of the block, unit of the feed mode.
     void set_feed(const nc::Block& block);
-    /// The feed of a tooth times the number of teeth is the feed of a turn.
+    /// The feed of a tooth times the number of teeth is the feed per revolution.
     void set_tooth_feed(const nc::Block& block, double feed);
     /// The tool in the spindle, or its data, may have become others.
     void take_tooth_feed();
@@ -60,7 +60,7 @@ class FeedWords {
     const Tool& tool_;
     ProgrammedDynamics& dynamics_;
     const AxisData& axes_;
-    double tooth_feed_ = 0;  // mm; 0: the feed was said by itself
+    double tooth_feed_ = 0;  // mm; 0: the feed was programmed by itself
 };
 
 }  // namespace kadr::interp

@@ -172,7 +172,7 @@ void BlockFunctions::apply(const Block& block, const nc::Effect& effect, Actions
         case Kind::WritesLength:
         case Kind::LeavesWords:
         case Kind::GoesToPoint:
-        case Kind::RunsCycle: break;  // how, its own part says: the place of the tool stays known
+        case Kind::RunsCycle: break;  // how, its own part decides: the position stays known
     }
 }
 
@@ -227,7 +227,7 @@ void BlockFunctions::set_member(const Block& block, const nc::Effect& effect, Ac
         case Group::WorkOffsets:
         case Group::CycleMode:
         case Group::Transformation:
-        case Group::DataInput: break;  // the other effects of these functions say it
+        case Group::DataInput: break;  // the other effects of these functions do it
     }
 }
 
@@ -389,7 +389,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
             channel_.carriers.choose_carrier(block, invocation, actions);
             break;
         case Function::SplineDegree: channel_.splines.set_spline_degree(block, invocation); break;
-        case Function::SplineWeight:  // beside the pole, in splines.cpp
+        case Function::SplineWeight:  // beside the control point, in splines.cpp
         case Function::SplineInterval:
         case Function::SplineKnot:
         case Function::PolynomialAxis:  // in polynomials.cpp
@@ -657,7 +657,7 @@ void BlockFunctions::apply_own(const Block& block, const Invocation& invocation,
         case Function::ThreadArcCcw:
         case Function::ParameterInput:
         case Function::LifeInput:
-        case Function::DataInputOff: break;  // their effects say it all
+        case Function::DataInputOff: break;  // their effects do it all
     }
 }
 

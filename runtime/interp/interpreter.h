@@ -35,7 +35,7 @@ struct CycleShape {
     bool is_diameter = false;  // X of points and words is a diameter
 };
 
-/// What a machining cycle is told about its surroundings.
+/// What a machining cycle is given about its surroundings.
 struct CycleCall {
     nc::CycleId cycle = 0;
     std::string_view name;
@@ -70,15 +70,15 @@ class CycleExpander {
     virtual std::optional<std::string> refusal() const { return std::nullopt; }
 };
 
-/// The day that a program sees if the run is not told another one: runs are to be alike.
+/// The day that a program sees if the run is not given another one: runs are to be alike.
 inline constexpr std::int64_t kFirstDate = 20000101;
 
-/// Where a probe triggers on its way, said from outside.
+/// Where a probe triggers on its path, given from outside.
 struct ProbeTouch {
     // The block, by one of these: its line of the text, from 1; N.
     std::uint32_t line = 0;
     std::int32_t number = -1;
-    AxisMask axes = 0;  // that are said; none: it does not trigger
+    AxisMask axes = 0;  // that are given; none: it does not trigger
     AxisValues at{};    // programmed coordinates, in the units of the text
 };
 
@@ -87,14 +87,14 @@ struct InterpreterOptions {
     std::uint16_t skip_levels = 0;  // bit n: blocks with skip level n are left out
     bool optional_stop = false;
     bool asks_for_tool = true;                   // warns of a cut before any tool is called
-    bool has_named_machine = true;               // false: nobody has said which machine it is
+    bool has_named_machine = true;               // false: nobody has chosen which machine it is
     std::int64_t date = kFirstDate;              // day on which the run begins, YYYYMMDD
     int time_of_day = 0;                         // … and when, in seconds since midnight
     const machine::ProbeScene* probe = nullptr;  // what a probe meets; null: nobody knows
     std::vector<ProbeTouch> touches = {};
     bool in_step = false;  // no block is read before the one in front of it is executed
-    /// Whether a comment silences a warning at its place, so that it is not said once and for all
-    /// there. Empty: none does.
+    /// Whether a comment silences a warning at its location, so that it is not reported once and
+    /// for all there. Empty: none does.
     std::function<bool(const DiagnosticRow& row, const TextLocation& location)> is_allowed = {};
 };
 
@@ -107,8 +107,8 @@ struct StateItem {
 
 class Interpreter final : public Stream<path::Command>, public ControlAccess {
   public:
-    /// All references outlive the interpreter. `place_of` gives the place of a block for messages.
-    /// `cycles` may be null: a cycle call is then an alarm.
+    /// All references outlive the interpreter. `locations` give the location of a block for
+    /// messages. `cycles` may be null: a cycle call is then an alarm.
     Interpreter(const nc::Dialect& dialect, const machine::Machine& machine,
                 Stream<nc::Block>& blocks, const nc::BlockLocations* locations,
                 CycleExpander* cycles, const InterpreterOptions& options, DiagnosticSink& sink);

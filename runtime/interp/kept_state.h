@@ -9,7 +9,7 @@
 namespace kadr::interp {
 
 /// As blocks found it whose motions are not executed; it is taken back behind them. Modal codes
-/// stay what the blocks of a table have said (unsure).
+/// stay what the blocks of a table have programmed (unsure).
 struct KeptState {
     Position position;
     ProgrammedSpindle spindle;

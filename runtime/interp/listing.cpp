@@ -125,7 +125,7 @@ void append_numbers(std::string& out, std::span<const double> values) {
     out += ']';
 }
 
-/// Where the cutter touches from and to, and how: the way of the tip follows from it.
+/// Where the cutter touches from and to, and how: the path of the tip follows from it.
 void append_contact(std::string& out, const path::ContactMotion& motion) {
     append_key(out, "touches");
     out += '[';
@@ -148,7 +148,7 @@ void append_contact(std::string& out, const path::ContactMotion& motion) {
     out += ']';
 }
 
-/// In which coordinates the place is told.
+/// In which coordinates the position is given.
 void append_virtual(std::string& out, const path::VirtualAxes& axes) {
     switch (axes.kind) {
         case path::VirtualKind::None: return;
@@ -245,7 +245,7 @@ void append_feed(std::string& out, const path::Motion& motion) {
     if (motion.feed_mode == FeedMode::InverseTime) append_word(out, "feed_mode", "inverse_time");
 }
 
-/// Whether it ends at rest, or how the corner behind it is rounded; and within what it may be
+/// Whether it ends at rest, or how the corner behind it is blended; and within what it may be
 /// joined to its neighbours, in mm.
 void append_ending(std::string& out, const path::Motion& motion) {
     if (motion.exact_stop) out += ",\"exact_stop\":true";

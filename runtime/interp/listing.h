@@ -17,7 +17,7 @@ class Listing {
     /// X, Y and Z are always shown; of the other axes those that the machine has.
     explicit Listing(const machine::Machine& machine);
 
-    /// Appends one line, its line end included. `source` is the place in the source program
+    /// Appends one line, its line end included. `source` is the location in the source program
     /// ("part.kadr:34"); empty: none. Lengths mm, angles deg, rounded to 9 decimals, so that the
     /// noise of frames does not show.
     void append(const path::Command& command, std::string_view source, std::string& out) const;

@@ -81,7 +81,7 @@ void BlockFunctions::set_coolant(const Block& block, path::CoolantMode mode) {
     channel_.stages.put(Op::Coolant, block).coolant().mode = mode;
 }
 
-/// What it does the machine file says, or the machine builder alone knows; then each is said once.
+/// What it does the machine file tells; else only its builder knows, and each is reported once.
 void BlockFunctions::pass_machine_function(const Block& block, std::int64_t number) {
     if (const auto& scanner = machine_.scanner) {
         if (number == scanner->on_function || number == scanner->off_function) {

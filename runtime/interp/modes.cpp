@@ -97,7 +97,7 @@ path::FeedMode feed_mode_of(Function function) {
 
 path::Plane plane_of(Function function) { return mode_of<path::Plane>(kPlanes, function); }
 
-/// No function says nc::CompStart::Extended: that is a rule of controls.
+/// No function means nc::CompStart::Extended: that is a rule of controls.
 nc::CompStart comp_start_of(Function function) {
     if (function == Function::CompStartAround) return nc::CompStart::Around;
     if (function == Function::CompStartTangent) return nc::CompStart::Tangent;

@@ -29,7 +29,7 @@ enum class CompKind : std::uint8_t {
 CompKind comp_system_of(nc::Function function);  // in a frame it is in a plane, too
 bool is_face_milling(CompKind system);
 
-/// On which way the tool turns from one direction to the next.
+/// How the orientation goes from one direction to the next.
 enum class OrientInterpolation : std::uint8_t {
     Plane,
     Axes,
@@ -57,11 +57,11 @@ nc::Function function_of(SpinFrom from);
 enum class PointToPoint : std::uint8_t { None, Rapids, All };
 PointToPoint point_to_point_of(nc::Function function);
 
-/// How corners are rounded.
+/// How corners are blended.
 enum class Blend : std::uint8_t { None, Distance, Tolerance, Smooth };
 Blend blend_of(nc::Function function);
 
-/// What F says, and in which plane arcs lie.
+/// What F means, and in which plane arcs lie.
 path::FeedMode feed_mode_of(nc::Function function);
 path::Plane plane_of(nc::Function function);
 
@@ -69,7 +69,7 @@ path::Plane plane_of(nc::Function function);
 nc::CompStart comp_start_of(nc::Function function);
 nc::CompCorner comp_corner_of(nc::Function function);
 
-/// Of the lengths in the text, as far as the program has said it.
+/// Of the lengths in the text, as far as it is programmed.
 enum class ProgrammedUnits : std::uint8_t { Unsaid, Metric, Inch };
 ProgrammedUnits units_of(nc::Function function);
 

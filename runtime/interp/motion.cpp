@@ -130,7 +130,7 @@ void Motions::move(const Block& block, const Actions& actions) {
     const bool has_arc = arc_words != 0 && nc::has_fact(modal_.motion, nc::Fact::Circle);
     const bool may_move = targets != 0 || actions.tool.turns() || has_arc;
     if (may_move && !channel_.tool_motion.require_point_to_point_motion(block, actions)) return;
-    // They have told where the compensation ends.
+    // They have given how the compensation ends.
     if (arc_words != 0 && channel_.compensation.leave_direction(block))
         arc_words &= ~nc::kCenterSlots;
     const MotionKind kind = classify(case_of(block, actions, arc_words));
@@ -145,7 +145,7 @@ void Motions::move(const Block& block, const Actions& actions) {
     move_otherwise(block, actions, kind, arc_words);
 }
 
-/// A block without a place of its own, or whose way others know.
+/// A block without a position of its own, or whose path others know.
 void Motions::move_otherwise(const Block& block, const Actions& actions, MotionKind kind,
                              SlotMask arc_words) {
     const SlotMask targets = block.given & nc::kTargetSlots;
@@ -230,7 +230,7 @@ void Motions::move_to_target(const Block& block, const Actions& actions, MotionK
     if (kind == MotionKind::MachineCoordinates) return move_in_machine_coordinates(block);
     const std::optional<Target> target = target_of(block, actions);
     if (!target) return;
-    // At rapid a way to a place of the machine ends at rest on every control.
+    // At rapid a motion to a position of the machine ends at rest on every control.
     const bool goes_to_machine = channel_.frames.are_off() && modal_.motion == Function::Rapid;
     const bool exact_stop = channel_.smoothing.stops_exactly(actions.exact_stop || goes_to_machine);
     if (actions.at_rapid && comp_.is_on() && (targets & plane_mask()) != 0) {

@@ -24,9 +24,9 @@ class MotionChecks {
     /// revolution would wait for ever where it stands.
     Done require_probe_feed(const nc::Block& block);
     /// A rapid that dives below the workpiece zero of a mill while the spindle stands. On a lathe,
-    /// and in another plane, Z is not the way into the workpiece.
+    /// and in another plane, Z is not the direction into the workpiece.
     void check_rapid(const nc::Block& block, const Target& target);
-    /// A cut on a machine that changes tools, with whatever turns in the spindle.
+    /// A cut on a machine that changes tools, with whatever is in the spindle.
     void check_tool(const nc::Block& block);
     /// Another unit is warned of behind a motion, and refused where the control forbids it.
     void check_units(const nc::Block& block, nc::Function function);

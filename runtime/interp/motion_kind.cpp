@@ -9,7 +9,7 @@ using nc::Function;
 
 namespace {
 
-/// Ways that other functions say than the motion code.
+/// Motions that other functions program than the motion code.
 std::optional<MotionKind> kind_by_functions(const MotionCase& of) {
     using Smooth = MotionCase::Smooth;
     if (of.smooth != Smooth::None && of.is_in_space) return MotionKind::ApproachInSpace;

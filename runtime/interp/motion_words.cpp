@@ -56,7 +56,7 @@ double MotionWords::x_scale(const Block& block, bool is_distance) const {
     return view_.is_diameter_absolute && is_distance ? 1 : view_.axes.word_scale[index(Axis::X)];
 }
 
-/// Places of rotary axes whose direction is said lie within one turn.
+/// Positions of rotary axes whose direction is programmed lie within one turn.
 Done MotionWords::require_rotary_approaches(const Block& block) {
     if (block.rotary_approaches == 0) return kDone;
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
@@ -70,7 +70,7 @@ Done MotionWords::require_rotary_approaches(const Block& block) {
     return kDone;
 }
 
-/// Rotary axes go to a place of their turn on the way that the word says.
+/// Rotary axes go to a position within a revolution by the approach that the word gives.
 void MotionWords::turn_rotary(const Block& block, Target& target) const {
     for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
         const nc::RotaryApproach approach = block.rotary_approach(axis);
@@ -104,7 +104,7 @@ Done MotionWords::require_axes(const Block& block, SlotMask targets) {
     return kFailed;
 }
 
-/// Whether a word is a distance: by itself, or as the modal state says.
+/// Whether a word is a distance: by itself, or as the modal state has it.
 bool MotionWords::is_distance(const Block& block, Slot slot) const {
     return view_.is_incremental ? (block.absolute & bit(slot)) == 0
                                 : (block.incremental & bit(slot)) != 0;

@@ -53,7 +53,7 @@ class MotionWords {
     Target target_of(const nc::Block& block, nc::SlotMask targets) const;
     /// What the number of a word for X is multiplied with: 0.5 where it is a diameter.
     double x_scale(const nc::Block& block, bool is_distance) const;
-    /// Whether a word is a distance: by itself, or as the dimensions say.
+    /// Whether a word is a distance: by itself, or as the dimensions have it.
     bool is_distance(const nc::Block& block, nc::Slot slot) const;
     /// Where the tool is, in the working plane of the programmed system.
     path::Vec2 position_in_plane() const;

@@ -1,4 +1,4 @@
-// motions.h — the motions of a block: lines, arcs, involutes, threads, probing, ways to the
+// motions.h — the motions of a block: lines, arcs, involutes, threads, probing, motions to the
 // reference point.
 #pragma once
 
@@ -9,23 +9,24 @@ namespace kadr::interp {
 
 struct Channel;
 
-/// The motions of a block: lines, arcs, involutes, threads, probing, ways to the reference point.
+/// The motions of a block: lines, arcs, involutes, threads, probing, motions to the reference
+/// point.
 class Motions {
   public:
     explicit Motions(Channel& channel);
     Motions(const Motions&) = delete;
     Motions& operator=(const Motions&) = delete;
 
-    /// Which motion the block is, and its way.
+    /// Which motion the block is, and its path.
     void move(const nc::Block& block, const Actions& actions);
     /// The tool stands at the target; its named axes were programmed.
     void arrive(const Target& target);
-    /// The library's words about what was probed last. Where nobody has said where the part lies,
-    /// it lies where the program expects it.
+    /// The library's words about what was probed last. Where nobody has given where the part
+    /// lies, it lies where the program expects it.
     void use_probed(const nc::Block& block, const nc::Invocation& invocation);
     /// A straight motion or one at rapid, with its checks.
     void line(const nc::Block& block, const Target& programmed, path::Op op, bool exact_stop);
-    /// To a place in machine coordinates, `to` of all axes; `moved` are the ones that it names.
+    /// To a position in machine coordinates, `to` of all axes; `moved` are the ones that it names.
     void rapid_to_machine_position(const nc::Block& block, const AxisValues& to, AxisMask moved);
     /// Where the axes stand gets other machine coordinates; no axis moves. What the machine itself
     /// knows, limits and fixed points, stays where it is.

@@ -2,7 +2,7 @@
 // that name a spindle by its number.
 //
 // `spindle_` is the master. Whatever a word does to another one it does as to the master, while
-// both have changed places. source: SINUMERIK reference 2.3, 3.2, 4.10
+// both have been exchanged. source: SINUMERIK reference 2.3, 3.2, 4.10
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -28,13 +28,13 @@ using path::SpindleMode;
 
 namespace {
 
-/// The number of the spindle, in all functions that name one beside what they say of it.
+/// The number of the spindle, in all functions that name one beside what they program for it.
 constexpr std::size_t kSpindle =
     parameter_of_all<"spindle", Function::SpindleSpeed, Function::SpindleTurn,
                      Function::SpindleStand, Function::SpindleLimit, Function::SpindleBound,
                      Function::SpindleDwell>();
 
-/// Whether a word of the block says how the spindle with this number turns.
+/// Whether a word of the block tells how the spindle with this number turns.
 bool names_spindle(const Block& block, std::int64_t number) {
     const auto end = block.functions.begin() + block.function_count;
     return std::any_of(block.functions.begin(), end, [&](const Invocation& invocation) {
@@ -90,7 +90,7 @@ void Spindles::with_spindle(const Block& block, const Invocation& invocation, Ac
     owe_speed(owed);
 }
 
-/// What the motion side is told of the spindle whose turn it is.
+/// What the motion side is given for the spindle whose turn it is.
 path::Spindle& Spindles::put_spindle(const Block& block) {
     const Op op = is_master_away_ ? Op::OtherSpindle : Op::Spindle;
     path::Spindle& spindle = channel_.stages.put(op, block).spindle();
@@ -119,7 +119,7 @@ void Spindles::select_master(const Block& block, const Invocation& invocation) {
     const SpeedLimits limits = speed_limits();
     std::swap(spindle_, *other);
     reported_.renew_spindle();
-    reported_.exchange_bound(spindle_.speed);  // of which was told when it was said
+    reported_.exchange_bound(spindle_.speed);  // of which was reported when it was programmed
     path::Spindle& spindle = put_spindle(block);
     // One that stands at an angle does not go there again.
     const bool runs = is_running(spindle_.mode);

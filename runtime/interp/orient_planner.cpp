@@ -40,10 +40,10 @@ using path::Vec3;
 
 namespace {
 
-/// Rounding of words and frames, as a tool's direction shows it, rad: it does not turn the tool.
+/// Rounding of words and frames, as a tool's direction shows it, rad: no change of orientation.
 constexpr double kSameDirection = 1e-12;
-/// A tool that stands elsewhere than where its course begins by more turns there first, rad: words
-/// have six digits and more.
+/// A tool that stands elsewhere than where its orientation begins by more goes there first, rad:
+/// words have six digits and more.
 constexpr double kSameStart = 1e-9;
 /// Control points of directions that lie against each other make none, as a part of their length.
 constexpr double kNoDirection = 1e-3;
@@ -134,7 +134,7 @@ Done OrientPlanner::lay_tool_words(const Block& block, const ToolWords& tool, Ta
     return kDone;
 }
 
-/// Rotary axes are programmed where the tool is to turn along a great circle: it must lead there.
+/// Rotary axes are programmed where the tool is to go along a great circle: it must lead there.
 Done OrientPlanner::orient_by_axes(const Block& block, Target& target) {
     if (start_.modes.interpolation != OrientInterpolation::Plane ||
         (block.given & channel_.transformation.joint_axes()) == 0)
@@ -156,7 +156,7 @@ Done OrientPlanner::orient_by_axes(const Block& block, Target& target) {
     return kFailed;
 }
 
-/// To a direction, on the way that the program has chosen.
+/// To a direction, by the interpolation that the program has chosen.
 Done OrientPlanner::orient_to(const Block& block, const ToolWords& tool, const Vec3& to,
                               Target& target) {
     switch (start_.modes.interpolation) {
@@ -184,7 +184,7 @@ void OrientPlanner::report_no_solution(const Block& block, const machine::PathRe
 }
 
 /// Along a great circle, or with the axes in proportion. With three rotary axes the block's angles
-/// say how the tool turns about itself, too.
+/// give its own rotation, too.
 Done OrientPlanner::lay_orientation(const Block& block, const Vec3& to, Target& target,
                                     const ToolWords* angles) {
     const Chain& chain = machine_.kinematics->chain;
@@ -218,7 +218,7 @@ Done OrientPlanner::lay_orientation(const Block& block, const Vec3& to, Target& 
     return kDone;
 }
 
-/// From where the rotary axes stand to a direction, with three rotary axes to what angles say.
+/// From where the rotary axes stand to a direction, with three rotary axes to what angles give.
 machine::PathQuery OrientPlanner::query_to(const Vec3& to, const ToolWords* angles) const {
     const Chain& chain = machine_.kinematics->chain;
     machine::PathQuery query = machine::query_for(chain, to);
@@ -236,7 +236,7 @@ machine::PathQuery OrientPlanner::query_to(const Vec3& to, const ToolWords* angl
     return query;
 }
 
-/// The tool's base position as a rotation from Z: angles and spins are said of a tool along Z.
+/// The tool's base position as a rotation from Z: angles and own rotation count for a tool along Z.
 machine::Mat3 OrientPlanner::base_rotation() const {
     return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(),
                                               machine_.kinematics->chain.tool_direction)
@@ -305,7 +305,7 @@ Done OrientPlanner::lay_cone(const Block& block, const ToolWords& tool, const Ve
                              path::Point{}, target);
 }
 
-/// The rotary positions at the end of a way of the tool.
+/// The rotary positions at the end of an orientation path.
 Done OrientPlanner::follow_directions(const Block& block, const path::OrientLaw& orientation,
                                       const path::Curve& curve, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
@@ -338,7 +338,8 @@ Done OrientPlanner::lay_directions(const Block& block, const path::Curve& curve,
     return kDone;
 }
 
-/// The direction that the block says, leant towards the direction of travel at its end. F 4.7 Q.
+/// The direction that the block programs, inclined towards the direction of travel at its end.
+/// F 4.7 Q.
 Done OrientPlanner::apply_lead_tilt_at_end(const Block& block, const ToolWords& tool,
                                            const path::Curve& curve, Target& target) {
     const std::optional<Vec3> normal = wanted_direction(block, tool);
@@ -350,7 +351,7 @@ Done OrientPlanner::apply_lead_tilt_at_end(const Block& block, const ToolWords& 
     return orient_to(block, tool, *to, target);
 }
 
-/// The tool as it leans on a surface; nothing if it was reported.
+/// The tool as it is inclined on a surface; nothing if it was reported.
 std::optional<Vec3> OrientPlanner::direction_on_surface(const Block& block, const Vec3& normal,
                                                         const Vec3& tangent,
                                                         const path::LeadTiltAngles& lead_tilt) {
@@ -363,14 +364,14 @@ std::optional<Vec3> OrientPlanner::direction_on_surface(const Block& block, cons
     return path::leaning(normal, tangent, lead_tilt);
 }
 
-/// The direction of travel leads out of the surface by no more than the control takes, rad. S 7.4.
+/// The direction of travel goes out of the surface by no more than the control takes, rad. S 7.4.
 Done OrientPlanner::require_small_rise(const Block& block, double rise) {
     if (std::abs(rise) <= rad_from_deg(rules_.surface_rise)) return kDone;
     reporter_.report(diag::SurfaceAcross, block).arg(degrees(std::abs(rise)));
     return kFailed;
 }
 
-/// … anywhere on the way along which the surface leads the tool.
+/// … anywhere on the path along which the surface leads the tool.
 Done OrientPlanner::require_small_rise_along(const Block& block, const path::OrientLaw& surface,
                                              const path::Curve& curve) {
     // At the ends of the parts; between them the rise of a full circle differs by a tenth of a
@@ -449,8 +450,8 @@ Done OrientPlanner::lead_by_surface(const Block& block, const ToolWords& tool,
     return follow_directions(block, surface, curve, target);
 }
 
-/// A second point of the tool's axis goes straight to the place that the block says, S 7.4
-/// ORICURVE. Where none was said before it starts as far from the tip as it will end.
+/// A second point of the tool's axis goes straight to the point that the block programs, S 7.4
+/// ORICURVE. Where none was programmed before it starts as far from the tip as it will end.
 Done OrientPlanner::lead_by_point(const Block& block, const ToolWords& tool,
                                   const path::Curve& curve, Target& target) {
     const Chain& chain = machine_.kinematics->chain;
@@ -485,8 +486,8 @@ Done OrientPlanner::lead_by_point(const Block& block, const ToolWords& tool,
         block, {OrientKind::Point, length, start, (end - start) / length, 0, {}}, curve, target);
 }
 
-/// Where a course begins with another direction than the tool has, the tool turns there first,
-/// along a great circle, while the tip stands.
+/// Where the orientation begins with another direction than the tool has, the tool goes there
+/// first, along a great circle, while the tip stands.
 Done OrientPlanner::orient_first(const Block& block, const Vec3& to) {
     const Chain& chain = machine_.kinematics->chain;
     const Vec3 from = machine::tool_vector(chain, channel_.transformation.joints_of(start_.base));
@@ -552,7 +553,7 @@ std::optional<Vec3> OrientPlanner::spin_reference(const Vec3& tool, const Orient
     return reference.normalized();
 }
 
-/// The angle about the tool that the block says, as the end of the joint Ψ.
+/// The angle about the tool that the block programs, as the end of the joint Ψ.
 Done OrientPlanner::lay_spin(const Block& block, const ToolWords& tool, Target& target,
                              const path::Curve* curve) {
     if (!tool.spin && !tool.spin_by) return kDone;

@@ -1,7 +1,7 @@
 // orienting.cpp — the machine's transformation: switched on and off, and where the axes stand.
 //
-// How the tool turns under it is tool_words.cpp's and tool_orientation.cpp's matter; where the axes
-// go on the way motion's (motion/transformed.h).
+// Tool orientation under it is tool_words.cpp's and tool_orientation.cpp's matter; where the axes
+// go on the path motion's (motion/transformed.h).
 #include <bit>
 #include <string>
 #include <utility>
@@ -131,7 +131,7 @@ Done Transformation::require_transformation(const Block& block, const nc::Invoca
     constexpr std::size_t kNumber = parameter_of<Function::TcpBased>("number");
     constexpr std::size_t kX = parameter_of<Function::TcpBased>("x");
     constexpr std::size_t kOffsets = parameter_of<Function::TcpBased>("first");
-    if (!machine_.kinematics) return kDone;  // which is said where it is switched on
+    if (!machine_.kinematics) return kDone;  // which is reported where it is switched on
     const Function function = invocation.function;
     const double number = block.argument(invocation, kNumber, 1);
     if (number != 1) {
@@ -281,7 +281,7 @@ void Transformation::choose_point_to_point(Function function) {
     orienting_.point_to_point = point_to_point_of(function);
 }
 
-/// The axes stand; the tip has another place in the base system.
+/// The axes stand; the tip has another position in the base system.
 void Transformation::take_position(const AxisValues& base) {
     position_.stand_at(base);
     position_.see_in(frames_);

@@ -1,4 +1,4 @@
-// output.h — commands on their way out.
+// output.h — commands as they go out.
 //
 // Into the caller's batch while it has room; a block that makes more commands than fit leaves the
 // rest in a queue for the next pull.
@@ -43,7 +43,7 @@ class CommandOutput {
         }
     }
 
-    /// The place of the next command. Valid until the next call.
+    /// The slot of the next command. Valid until the next call.
     path::Command& next() {
         if (written_ < out_.size()) return out_[written_++];
         return queue_.emplace_back();

@@ -1,4 +1,4 @@
-// path_smoothing.h — exact stop, rounded corners, compressed lines.
+// path_smoothing.h — exact stop, corner blending, compressed lines.
 #pragma once
 
 #include "interp/channel_state.h"
@@ -7,21 +7,21 @@ namespace kadr::interp {
 
 struct Channel;
 
-/// Exact stop, rounded corners, compressed lines.
+/// Exact stop, corner blending, compressed lines.
 class PathSmoothing {
   public:
     explicit PathSmoothing(Channel& channel);
     PathSmoothing(const PathSmoothing&) = delete;
     PathSmoothing& operator=(const PathSmoothing&) = delete;
 
-    /// How the corner behind a motion of this block is rounded.
+    /// How the corner behind a motion of this block is blended.
     path::Blending blending(path::Op op) const;
     /// Whether a motion ends at rest: by what is modal, or by a word of its block alone.
     bool stops_exactly(bool once = false) const;
     /// Within which tolerance a motion of this block may become a part of a curve; 0: not at all.
     /// The moves of cycles are what they are.
     double compressing(path::Op op) const;
-    /// How far corners are rounded and whether short lines become curves; mm.
+    /// How far corners are blended and whether short lines become curves; mm.
     void choose_smoothing(const nc::Block& block, const nc::Invocation& invocation);
 
   private:

@@ -1,7 +1,7 @@
-// patterns.cpp — places at which the control calls a cycle: a row, a circle, a grid of holes.
+// patterns.cpp — positions at which the control calls a cycle: a row, a circle, a grid of holes.
 //
-// The blocks of such a cycle are motions to places. Each is executed as if it stood in the program,
-// so that the cycle which is called behind motions, or is modal, is called there.
+// The blocks of such a cycle are motions to positions. Each is executed as if it stood in the
+// program, so that the cycle which is called behind motions, or is modal, is called there.
 #include "base/diagnostics/iso.h"
 #include "interp/channel.h"
 #include "interp/cornering.h"
@@ -35,12 +35,12 @@ void Cycles::go_to_position(const Block* position) {
     place_ = in_plane_of_cycle(*position);
     place_.line = pattern.caller.line;
     if (pattern.calls_program) callers_.hold_pattern();
-    // A modal cycle is repeated by places; a motion code would end it.
+    // A modal cycle is repeated by positions; a motion code would end it.
     if (modal_cycles_.modal.is_active) place_.motion = Function::None;
     channel_.executor.execute(place_);
 }
 
-/// Behind the places the codes act that acted before them. A feed that was set there stays.
+/// Behind the positions the codes act that acted before them. A feed that was set there stays.
 void Cycles::finish_pattern() {
     const PatternRun& pattern = patterns_.back();
     const Block caller = pattern.caller;
@@ -55,7 +55,7 @@ void Cycles::finish_pattern() {
     if (const auto words = cycles_->refusal()) refuse_cycle(caller, *words);
 }
 
-/// Whether the program of the text is called at the places of this block, and not a cycle.
+/// Whether the program of the text is called at the positions of this block, and not a cycle.
 bool Cycles::calls_program_at(const Block& block) const {
     return reporter_.locations() != nullptr && reporter_.locations()->calls_at_positions(block);
 }

@@ -24,7 +24,7 @@ using nc::SlotMask;
 using path::Command;
 using path::Op;
 
-/// Nothing that waits, repeats or turns acts on a move to a place.
+/// Nothing that waits, repeats or turns acts on a move to a position.
 bool Executor::is_plain_state() const {
     const bool waits = shape_ || contour_ || open_line_ || channel_.splines.is_in_spline() ||
                        modal_cycles_.behind_motions;
@@ -37,7 +37,7 @@ bool Executor::is_plain_state() const {
            !waits && !has_mode && !tool_.has_changed && frames_.is_shift();
 }
 
-/// Words of axes alone, each a place, for a line or a rapid.
+/// Words of axes alone, each a position, for a line or a rapid.
 bool Executor::is_plain_block(const Block& block) const {
     const SlotMask others = block.given & ~SlotMask{axes_.present};
     const bool is_of_positions =

@@ -1,8 +1,8 @@
 // point_to_point.cpp — motions from point to point under the machine's transformation.
 //
-// Where such a block ends is said as ever: the tip and the tool in the workpiece. On the way every
-// axis of the machine goes straight (motion/standing.h), so nothing leads the tool there, and the
-// block may ask for one of several positions of the rotary axes. S 7.4, alarms 14140 and 14144.
+// Where such a block ends is programmed as ever: the tip and the tool in the workpiece. On the path
+// every axis of the machine goes straight (motion/standing.h), so nothing leads the tool there, and
+// the block may ask for one of several positions of the rotary axes. S 7.4, alarms 14140 and 14144.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,11 +28,11 @@ using path::Vec3;
 namespace {
 
 constexpr double kWhole = 360;  // deg
-/// A place below 0 is so far below, rad: 0 itself is not negative.
+/// A position below 0 is so far below, rad: 0 itself is not negative.
 constexpr double kBelowZero = 1e-8;
 
-/// A rotary axis that goes farther either way has several places of the same sign: there the sign
-/// says nothing, and the axis takes its nearest way.
+/// A rotary axis that goes farther either way has several positions of the same sign: there the
+/// sign decides nothing, and the axis takes its nearest position.
 bool is_told_by_sign(const machine::MachineAxis& axis) {
     constexpr double kSlack = 1e-9;  // rad
     const double whole = 2 * std::numbers::pi + kSlack;

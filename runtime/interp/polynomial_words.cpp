@@ -51,7 +51,7 @@ std::size_t degree_of(const Terms& terms) {
     return degree;
 }
 
-/// (begin + way·q) times a polynomial.
+/// (begin + distance·q) times a polynomial.
 Terms line_times(double begin, double distance, const Terms& by) {
     Terms product{};
     for (std::size_t k = 0; k < kTerms; ++k)

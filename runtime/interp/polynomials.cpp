@@ -1,9 +1,9 @@
 // polynomials.cpp — blocks in which every axis is a polynomial of one parameter.
 //
-// With a denominator all polynomials are divided by it; an axis that is only told where to go moves
-// evenly with the parameter all the same. The polynomials become control points of a rational
+// With a denominator all polynomials are divided by it; an axis that is only given where to go
+// moves evenly with the parameter all the same. The polynomials become control points of a rational
 // curve, which the frame maps as it maps any points. Axes beside X, Y and Z go evenly with the
-// parameter as well: a command lets them go evenly with the way, so the curve is cut until both
+// parameter as well: a command lets them go evenly with the path, so the curve is cut until both
 // are the same.
 // source: SINUMERIK reference 4.5
 #include <algorithm>
@@ -34,7 +34,7 @@ using path::Vec3;
 namespace {
 
 /// The weights of control points are cut until they are above this; a denominator that comes closer
-/// to zero makes ways that no machine has.
+/// to zero makes paths that no machine has.
 constexpr double kLeastWeight = 1e-6;
 constexpr int kMostCuts = 16;
 
@@ -139,7 +139,7 @@ void cut_evenly(const PolynomialPiece& piece, double distance, const path::Frame
         cut_evenly(half, distance, frame, cuts - 1, out);
 }
 
-/// A span, and what its command says beside it.
+/// A span, and what its command gives beside it.
 struct ProgrammedSpan {
     path::SplineSpan span;
     ControlPointBlock control_point;
@@ -187,7 +187,7 @@ std::vector<ControlPointBlock*> blocks_of(std::vector<ProgrammedSpan>& spans) {
     return blocks;
 }
 
-/// The greatest way of an axis beside X, Y and Z, mm or deg.
+/// The greatest travel of an axis beside X, Y and Z, mm or deg.
 double greatest_other_travel(const AxisValues& from, const AxisValues& to) {
     double distance = 0;
     for (std::size_t i = 3; i < kAxes; ++i)

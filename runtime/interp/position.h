@@ -26,7 +26,7 @@ class Position {
     /// A motion has ended.
     ///
     /// here, base  where, in both systems
-    /// named       axes whose coordinate the program has said
+    /// named       axes whose coordinate is programmed
     void arrive(const AxisValues& here, const AxisValues& base, AxisMask named) {
         const path::Vec3 before = point_of(base_);
         if (before != point_of(base)) came_from_ = before;
@@ -37,7 +37,7 @@ class Position {
             programmed_[i] = here[i];
         }
     }
-    /// One axis has, where the program said.
+    /// One axis has, where it was programmed.
     void arrive_on(std::size_t axis, double here, double base) {
         here_[axis] = programmed_[axis] = here;
         base_[axis] = base;
@@ -48,7 +48,7 @@ class Position {
 
     /// The tool stands there by no motion of the program; what was programmed stays.
     void stand_at(const AxisValues& base) { base_ = base; }
-    /// The frames have changed, or the place in the base system: what are its coordinates now?
+    /// The frames have changed, or the position in the base system: what are its coordinates now?
     void see_in(const control::Frames& frames) { here_ = frames.from_base(base_); }
     /// The system has changed and the coordinates are the same in it.
     void keep_coordinates(const control::Frames& frames) { base_ = frames.to_base(here_); }

@@ -90,8 +90,8 @@ void PositionWords::set_pole(const Block& block, const Invocation& invocation,
     centers_[index(plane.second)] = point.y();
 }
 
-/// From here on the words of the plane's axes are radius and angle; until they are said, they are
-/// those of the place where the tool is.
+/// From here on the words of the plane's axes are radius and angle; until they are programmed, they
+/// are those of the position where the tool is.
 void PositionWords::switch_polar(bool is_on, const MotionWords& words) {
     if (is_on && !polar_.is_on) {
         const path::Vec2 here = words.position_in_plane();
@@ -103,8 +103,8 @@ void PositionWords::switch_polar(bool is_on, const MotionWords& words) {
     original_.reset();
 }
 
-/// The block with places instead of polar coordinates; the block itself if it has none. Null: it
-/// was reported.
+/// The block with positions instead of polar coordinates; the block itself if it has none. Null:
+/// it was reported.
 const Block* PositionWords::with_positions(const Block& block, MotionWords& words) {
     if (original_ && !block.is_of_cycle()) original_.reset();
     if (!block.is_of_cycle()) {
@@ -176,7 +176,7 @@ const Block* PositionWords::with_polar_point(const Block& block, const Invocatio
     return with_polar_slots(said, words);
 }
 
-/// The pole is the centre that stays, and the tool's place is where angles and radii count on from.
+/// The pole is the centre that stays, and angles and radii count on from the tool's position.
 Done PositionWords::take_pole(const Block& block, const MotionWords& words) {
     const path::PlaneAxes plane = path::axes_of(words.view().plane);
     if (words.view().rules.center_stays) {
@@ -226,8 +226,8 @@ const Block* PositionWords::with_polar_axes(const Block& block, MotionWords& wor
     return &cartesian_;
 }
 
-/// Where a centre stays, the block as if it had said it: an arc has the one that was said last, if
-/// it says no radius; words that stand beside no arc have done all that they do.
+/// Where a centre stays, the block as if it had programmed it: an arc has the one that was
+/// programmed last, if it has no radius; words that stand beside no arc have done all that they do.
 const Block& PositionWords::with_center(const Block& block, const MotionWords& words) {
     const SlotMask programmed = block.given & nc::kCenterSlots;
     for (std::size_t i = 0; i < centers_.size(); ++i) {

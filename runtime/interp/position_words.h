@@ -1,4 +1,4 @@
-// position_words.h — blocks that say their positions otherwise become blocks that say coordinates.
+// position_words.h — blocks that give their positions otherwise become blocks of coordinates.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace kadr::interp {
 /// was given.
 class PositionWords {
   public:
-    /// Whether blocks that say coordinates mean them.
+    /// Whether blocks that give coordinates mean them.
     bool is_plain() const { return !polar_.is_on && !polar_.is_by_points; }
     const Polar& polar() const { return polar_; }
 
@@ -40,7 +40,7 @@ class PositionWords {
     const nc::Block* with_polar_axes(const nc::Block& block, MotionWords& words);
 
     Polar polar_;
-    std::array<std::optional<double>, 3> centers_;  // said last, in the programmed system
+    std::array<std::optional<double>, 3> centers_;  // programmed last, in the programmed system
     nc::Block cartesian_{};
     nc::Block centered_{};
     std::optional<nc::Block> original_;  // what `cartesian_` was made of, by words of the axes

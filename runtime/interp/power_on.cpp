@@ -16,7 +16,7 @@ using nc::Group;
 
 namespace {
 
-/// How the cutter comes to a contour, and what joins its elements: the rule of that name can say
+/// How the cutter comes to a contour, and what joins its elements: the rule of that name can mean
 /// more than the functions of the group do, and counts where a file sets it.
 bool is_ruled(const nc::Dialect& dialect, Group group) {
     if (group == Group::CompStart) return dialect.names_rule(nc::Rule::comp_start);

@@ -1,5 +1,5 @@
 // probe.cpp — where the probe triggers: at the surfaces of the machine file, or where an event of
-// the run says.
+// the run gives it.
 #include "interp/probe.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// probe.h — the probe: where it triggers on its way, and what it has found. Internal to interp.
+// probe.h — the probe: where it triggers on its path, and what it has found. Internal to interp.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ namespace kadr::interp {
 class Probe {
   public:
     /// scene    what the probe meets; null: nobody knows
-    /// touches  where it triggers, said from outside; they have to live as long
+    /// touches  where it triggers, given from outside; they have to live as long
     Probe(const machine::ProbeScene* scene, std::span<const ProbeTouch> touches)
         : scene_(scene), touches_(touches) {}
 
@@ -27,23 +27,23 @@ class Probe {
     /// Touches whose block has not probed so far.
     std::vector<ProbeTouch> touches_ahead() const;
 
-    /// What is said of a block.
+    /// What is reported for a block.
     struct Event {
         bool is_given = false;
         std::optional<double> part;  // of the path; nothing: it does not trigger
     };
-    /// The part of the path that is said for the block. Of several for one block each is for one
-    /// run of it, the last one for all behind.
+    /// The part of the path that is reported for the block. Of several for one block each is for
+    /// one run of it, the last one for all behind.
     Event touch_of_event(const nc::Block& block, const ProgrammedMove& move, const AxisData& axes,
                          ProgrammedUnits units, Reporter& reporter);
 
-    /// A part stays where it is, whatever becomes of the offset that tells its nominal position.
+    /// A part stays where it is, whatever becomes of the offset that gives its nominal position.
     bool has_part() const { return part_.has_value(); }
     void place_part(const control::ControlFrame& frame) { part_ = frame; }
     struct SceneMove {
         path::Vec3 from;  // the probe's tip, in the base system, mm
         path::Vec3 to;
-        double tool_radius;  // where the scene says none, mm
+        double tool_radius;  // where the scene has none, mm
         Axis tool_axis;
         bool springs_back;  // it has touched, and triggers where it is free
     };

@@ -1,6 +1,6 @@
 // probing.cpp — motions that probe, and what becomes of what they find.
 //
-// Without either the probe goes to the end of its way and counts as triggered there.
+// Without either the probe goes to the end of its path and counts as triggered there.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -26,7 +26,7 @@ using nc::parameter_of;
 using nc::parameter_of_all;
 using path::linear;
 
-/// The way up to a part of it.
+/// The motion up to a part of it.
 Target Motions::part_of_move(const Target& target, double part) const {
     Target out = target;
     for (std::size_t i = 0; i < kAxes; ++i)
@@ -35,7 +35,7 @@ Target Motions::part_of_move(const Target& target, double part) const {
     return out;
 }
 
-/// What the probe meets on its way.
+/// What the probe meets on its path.
 ///
 /// move  in the coordinates of the block's words, which are the machine's under G53
 Probing Motions::probe_along(const Block& block, const Target& target, const ProgrammedMove& move) {

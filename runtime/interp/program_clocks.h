@@ -20,7 +20,7 @@ struct ProgramClocks {
 
     RunClock run;
     std::size_t timed = 0;  // commands of this batch that the clock knows
-    double latest = 0;      // that the program has been told, s
+    double latest = 0;      // that the program has been given, s
     double cutting = 0;     // … of it at feed
     std::map<std::int64_t, Timer> timers;
     double milliseconds_from = 0;  // what the program has set, without the time since

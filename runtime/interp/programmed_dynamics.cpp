@@ -122,7 +122,7 @@ void ProgrammedDynamics::choose_feed_axes(const Block& block, const Invocation& 
         if (!axis) return;
         axes |= bit(*axis);
     }
-    // The geometry axes are what F is about where nothing is said.
+    // The geometry axes are what F is about where nothing is programmed.
     const auto geometry = static_cast<AxisMask>(axes_.present & kLinearXYZ);
     programmed_dynamics().feed_axes = axes == geometry ? AxisMask{0} : axes;
 }
@@ -139,8 +139,8 @@ void ProgrammedDynamics::set_feed_radius(const Block& block, const Invocation& i
     programmed_dynamics().feed_radius[index(*axis)] = radius;
 }
 
-/// What a word says of the speed of one axis: of one that is not among the feed axes (motion/ asks
-/// whether it is), or of one that positions by itself.
+/// What a word programs for the speed of one axis: of one that is not among the feed axes (motion/
+/// asks whether it is), or of one that positions by itself.
 void ProgrammedDynamics::set_axis_speed(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kAxis =
         parameter_of_all<"axis", Function::AxisSpeed, Function::AxisFeed, Function::AxisOverride>();

@@ -1,5 +1,5 @@
-// programmed_dynamics.h — what the program says of how fast its motions may be, and what it takes
-// from the operator's panel. Internal to interp.
+// programmed_dynamics.h — how fast motions may be as programmed, and what the program takes from
+// the operator's panel. Internal to interp.
 #pragma once
 
 #include <cstdint>

@@ -38,7 +38,7 @@ class ProgrammedFrames {
     /// A change of the frames by words that name axes.
     void change_frame(const nc::Block& block, const nc::Invocation& invocation,
                       void (control::Frames::*change)(const control::FrameWords&));
-    /// The place where the tool stands gets other coordinates.
+    /// The position where the tool stands gets other coordinates.
     void set_position(const nc::Block& block, const nc::Invocation& invocation);
     /// … or has those of its work offset again.
     void reset_position(const nc::Block& block, const nc::Invocation& invocation);
@@ -49,12 +49,12 @@ class ProgrammedFrames {
     void end_scaling();
     /// Of the named axes; of all if it names none.
     void end_mirroring(const nc::Block& block, const nc::Invocation& invocation);
-    /// One factor, or one for each axis; the axes that nothing is said of keep their size.
+    /// One factor, or one for each axis; the axes that are not given keep their size.
     void scale(const nc::Block& block, const nc::Invocation& invocation);
     /// About X, Y and Z, as far as they are named.
     void rotate_in_space(const nc::Block& block, const nc::Invocation& invocation);
-    /// Whether the block is one like any other, to places of the tip in machine coordinates: it is
-    /// compensated and rounded, and it may be an arc or a thread. S 6.3.
+    /// Whether the block is one like any other, to positions of the tip in machine coordinates: it
+    /// is compensated and blended, and it may be an arc or a thread. S 6.3.
     bool is_without_frames(const Actions& actions) const;
     /// For this block no frame acts.
     Done take_frames_off(const nc::Block& block);

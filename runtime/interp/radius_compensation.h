@@ -23,19 +23,19 @@ class RadiusCompensation {
                          Actions& actions);
     /// CompFeed.
     void choose_feed(const nc::Block& block, const nc::Invocation& invocation, Actions& actions);
-    /// It does not act any more, and no way ends it.
+    /// It does not act any more, and no path ends it.
     void leave() { comp_.side = CompSide::Off; }
     /// Whether cutter radius compensation must have ended before the function.
     bool needs_comp_off(const nc::Block& block, nc::Function function) const;
     /// The choices of a block count together, whatever their order in it.
     void act_on_comp(const nc::Block& block, const Actions& actions);
-    /// At its place among the commands: behind a corner that is not known yet.
+    /// At its position among the commands: behind a corner that is not known yet.
     void send_comp(const CompChange& change);
     /// The function needs a compensation in the plane, or none.
     Done require_comp_in_plane(const nc::Block& block, nc::Function function);
     /// How the plane lies in which the cutter is compensated: that of the base system, or that of
     /// the program, if frames have tilted it; there left and right are the program's. A carrier
-    /// that turns the tool turns its plane, and that has to be the program's.
+    /// that turns the tool's direction turns its plane, and that has to be the program's.
     path::Mat3 comp_lie() const;
     /// How the plane of the program lies, if frames have tilted it.
     path::Mat3 plane_lie() const;
@@ -48,11 +48,11 @@ class RadiusCompensation {
     void settle_comp(const nc::Block& block, const AxisValues& here, bool is_last = true);
     /// The contour ends on its normal here; what waits goes out.
     void flush_comp();
-    /// The compensation ends where the cutter is, without a way.
+    /// The compensation ends where the cutter is, without a motion.
     void stop_comp();
     /// An arc about the corner at which the cutter is, in a block of its own.
     void round_comp_corner(const nc::Block& block, const nc::Invocation& invocation);
-    /// The direction that the centre's words say beside the code that ends the compensation.
+    /// The direction that the centre's words give beside the code that ends the compensation.
     std::optional<path::Vec2> leave_direction(const nc::Block& block) const;
     /// With the tool, the plane and the frame that act now.
     CompChange comp_change(const nc::Block& block, CompChange::Kind kind);

@@ -1,5 +1,5 @@
-// rare_words.cpp — rarer words of tools and places: a block without the tool's length, a feed for
-// each tooth, a measured length, positions that are set anew.
+// rare_words.cpp — rarer words of tools and positions: a block without the tool's length, a feed
+// for each tooth, a measured length, positions that are set anew.
 // source: SINUMERIK reference 2.1 (group 9), 2.3; FANUC reference 2.2 (G37)
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ using nc::SlotMask;
 using nc::SystemQuantity;
 using path::Op;
 
-/// The axes of the block go to its place with their bare spindle; the length acts again with the
+/// The axes of the block go to its position with their bare spindle; the length acts again with the
 /// next motion of each.
 void Motions::move_without_length(const Block& block, const Target& target, bool exact_stop) {
     if (orienting_.is_on || comp_.is_on()) {
@@ -77,8 +77,8 @@ void Motions::preset_axes(const Block& block, const Invocation& invocation) {
         reporter_.report(diag::PresetLimits, block, Function::Preset);
 }
 
-/// Here every tool has the length that its offset says: the tool comes to where the program expects
-/// the sensor, and the offset stays.
+/// Here every tool has the length that its offset gives: the tool comes to where the program
+/// expects the sensor, and the offset stays.
 void Motions::measure_length(const Block& block, const Invocation& invocation) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if ((targets & (targets - 1)) != 0 || targets == 0) {

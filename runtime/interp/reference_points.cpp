@@ -1,4 +1,4 @@
-// reference_points.cpp — ways to places of the machine: machine coordinates and reference points.
+// reference_points.cpp — motions in machine coordinates and to reference points.
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -27,10 +27,10 @@ using path::Op;
 
 // ------------------------------------------------------------------------------ without frames
 
-// ------------------------------------------------------------------------------ places
+// --------------------------------------------------------------------------- positions
 
 /// Machine coordinates are coordinates of the spindle nose: neither frames nor, on most controls,
-/// the tool length act. The way is none of the contour.
+/// the tool length act. The motion is none of the contour.
 void Motions::move_in_machine_coordinates(const Block& block) {
     if (channel_.transformation.is_transformed()) {
         reporter_.report(diag::TransformationMotion, block, Function::MachineCoordinates)
@@ -116,7 +116,7 @@ void Motions::rapid_to_machine_position(const Block& block, const AxisValues& to
     arrive(target);
 }
 
-/// A way to a reference point, or from there; none of them stands among the holes of a cycle.
+/// A motion to a reference point, or from there; none of them stands among the holes of a cycle.
 void Motions::refer(const Block& block, const nc::Invocation& invocation) {
     if (channel_.transformation.is_transformed()) {
         // The search for the reference point has no number; a fixed point may have the first.
@@ -144,7 +144,7 @@ void Motions::refer(const Block& block, const nc::Invocation& invocation) {
     }
 }
 
-/// To the programmed place, which must be the reference point of the axes that are named.
+/// To the programmed position, which must be the reference point of the axes that are named.
 void Motions::check_reference(const Block& block) {
     constexpr double kWidth = 0.0005;  // mm, deg: half an increment
     const SlotMask targets = block.given & nc::kTargetSlots;
@@ -161,8 +161,8 @@ void Motions::check_reference(const Block& block) {
     }
 }
 
-/// Over the place over which the axes went to their reference point, to the programmed one. A
-/// distance counts from the place between.
+/// Over the position over which the axes went to their reference point, to the programmed one. A
+/// distance counts from the intermediate point.
 void Motions::leave_reference(const Block& block) {
     const SlotMask targets = block.given & nc::kTargetSlots;
     if (targets == 0 || !motion_words().require_axes(block, targets)) return;
@@ -182,7 +182,7 @@ void Motions::leave_reference(const Block& block) {
         line(block, motion_words().target_of(block, targets), Op::Rapid, true);
 }
 
-/// Makes the ways longer by the radius offset, so many times.
+/// Makes the distances longer by the radius offset, so many times.
 Done Motions::increase_by_tool_offset(const Block& block, double times, Target& target) {
     if (comp_.is_on()) {
         reporter_.report(diag::WayOffsetCompensated, block, Function::ToolOffsetIncrease);
@@ -202,7 +202,7 @@ Done Motions::increase_by_tool_offset(const Block& block, double times, Target& 
     return kDone;
 }
 
-/// Over the programmed place, if the block names one and the tool is not there, to the reference
+/// Over the programmed position, if the block names one and the tool is not there, to the reference
 /// point of the axes that are named.
 void Motions::return_to_reference(const Block& block, const nc::Invocation& invocation) {
     const SlotMask targets = block.given & nc::kTargetSlots;

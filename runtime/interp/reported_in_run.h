@@ -1,4 +1,4 @@
-// reported_in_run.h — what a run tells once and not again. Internal to interp.
+// reported_in_run.h — what a run reports once and not again. Internal to interp.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace kadr::interp {
 
-/// What is told once, or once more when it is renewed.
+/// What is reported once, or once more when it is renewed.
 enum class RunNotice : std::uint8_t {
     ArcIsLine,
     DiameterOnMill,  // a program that turns runs on a mill
@@ -21,18 +21,18 @@ enum class RunNotice : std::uint8_t {
     Preset,
     Rapid,       // into the work, while the spindle stands
     SpeedLimit,  // none holds the spindle
-    Spin,        // a turn about the tool means nothing
+    Spin,        // rotation about the tool axis means nothing
     SpindleStopped,
     ThreadSpeed,
     TiltTurned,
-    ToolShape,  // that faces do not know
+    ToolShape,  // that face milling compensation does not know
     Touch,
     TurnedEdge,  // the spindle stops in a cycle whose plane is turned
     Units,
-    WorkOffset,  // none is said behind a transformation
+    WorkOffset,  // none is programmed behind a transformation
 };
 
-/// What is told once of each number.
+/// What is reported once of each number.
 enum class NoticeEach : std::uint8_t {
     Tool,    // that nobody knows
     Edge,    // … of their edges
@@ -50,21 +50,21 @@ class ReportedInRun : public ReportedOnce<RunNotice> {
 
     bool has_reported(NoticeEach what, std::int64_t number) const;
     void count_as_reported(NoticeEach what, std::int64_t number);
-    /// Whether it is to be told of this number: from here on it counts as told.
+    /// Whether it is to be reported for this number: from here on it counts as reported.
     [[nodiscard]] bool first_time(NoticeEach what, std::int64_t number);
     /// … of a name that several tools have.
     [[nodiscard]] bool first_time_of_name(const std::string& name);
-    /// … of a feed. What a program repeats is told, not all that it may have.
+    /// … of a feed. What a program repeats is reported, not all that it may have.
     [[nodiscard]] bool first_time_of_feed(double feed);
     /// … of a speed that is beyond a bound of the spindle, if the latest one was another.
     [[nodiscard]] bool first_time_of_bound(double speed) { return exchange_bound(speed) != speed; }
 
-    /// What was said of a standing spindle is said anew when it stands again.
+    /// What was reported for a standing spindle is reported anew when it stands again.
     void renew_spindle() {
         renew(RunNotice::SpindleStopped);
         renew(RunNotice::Rapid);
     }
-    /// The speed counts as the latest one that was told; returns the one before.
+    /// The speed counts as the latest one that was commanded; returns the one before.
     double exchange_bound(double speed) {
         const double before = bound_;
         bound_ = speed;

@@ -30,10 +30,10 @@ class Reporter {
                              nc::Function function, std::size_t argument);
     DiagnosticBuilder report(const DiagnosticRow& row, TextLocation location);
 
-    /// A function as the text of the block says it; by the vocabulary where no text does.
+    /// A function as the text of the block spells it; by the vocabulary where no text does.
     std::string word_of(const nc::Block& block, nc::Function function) const;
-    /// A function as the control spells it, whether a block has said it or not; by the vocabulary
-    /// where the control has no word for it.
+    /// A function as the control spells it, whether a block has programmed it or not; by the
+    /// vocabulary where the control has no word for it.
     std::string spelling_of(nc::Function function) const;
 
     const nc::BlockLocations* locations() const { return locations_; }
@@ -42,7 +42,7 @@ class Reporter {
     bool has_alarm() const { return alarmed_; }
     /// The program has come to its end.
     void end() { ended_ = true; }
-    /// An alarm of which others have told.
+    /// An alarm of which others have reported.
     void stop() { ended_ = alarmed_ = true; }
     /// What has ended the run does not count.
     void go_on() { ended_ = alarmed_ = false; }

@@ -1,4 +1,4 @@
-// rotated_command.h — positions and motions in a system that is turned against the base system, as
+// rotated_command.h — positions and motions in a system that is rotated against the base system, as
 // a tilted working plane is.
 #pragma once
 
@@ -12,7 +12,7 @@ inline void turn(const path::Mat3& by, AxisValues& values) {
     path::set_linear(values, by * path::linear(values));
 }
 
-/// All that a motion says of positions and directions; of a parametric curve's shape nothing.
+/// All that a motion has of positions and directions; of a parametric curve's shape nothing.
 inline void turn(const path::Mat3& by, path::Motion& motion) {
     turn(by, motion.to);
     motion.direction = by * motion.direction;

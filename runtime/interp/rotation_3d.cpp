@@ -2,8 +2,9 @@
 // conversion in three dimensions, G68 with I, J and K.
 //
 // The program goes on in a system whose origin is that point, turned about the axis; a second
-// rotation is told in the system of the first. Heads that are set by hand, or turned by the program
-// before, hold the tool along its Z, and so the tool's length lies there. No axis moves. F 3.7.
+// rotation is programmed in the system of the first. Heads that are set by hand, or turned by the
+// program before, hold the tool along its Z, and so the tool's length lies there. No axis moves.
+// F 3.7.
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"

@@ -18,7 +18,7 @@ using path::linear;
 using path::Op;
 using path::Vec3;
 
-/// The axes stand, and their place gets the coordinates of the next motion.
+/// The axes stand, and their position gets the coordinates of the next motion.
 void RunClock::follow_virtual(const path::VirtualAxes& axes) {
     if (axes == axes_) return;
     const double rotary = rad_from_deg(at_[index(axes.rotary)]);
@@ -99,7 +99,7 @@ double RunClock::time_of(const path::Motion& motion, const AxisValues& to) const
         motion.op() == Op::Thread || motion.feed_mode == FeedMode::PerRevolution;
     if (!is_by_turns && motion.feed_mode == FeedMode::InverseTime) return 60 / feed;
     const double distance = distance_of(motion, to);
-    // The pitch grows evenly with the turns, so the mean of both ends is that of the time.
+    // The pitch grows evenly with the revolutions, so the mean of both ends is that of the time.
     const double last = motion.op() != Op::Thread || motion.thread().pitch_change == 0
                             ? feed
                             : std::sqrt(feed * feed + 2 * motion.thread().pitch_change * distance);
@@ -107,7 +107,7 @@ double RunClock::time_of(const path::Motion& motion, const AxisValues& to) const
     return mm_min > 0 ? distance / mm_min * 60 : 0;
 }
 
-/// Where the axes of the machine are for a place of the tip under its transformation.
+/// Where the axes of the machine are for a position of the tip under its transformation.
 AxisValues RunClock::machine_position(const AxisValues& at) const {
     const machine::Chain& chain = machine_.kinematics->chain;
     const machine::ChainPosition position{

@@ -35,7 +35,7 @@ class RunClock {
 
     const machine::Machine& machine_;
     AxisValues at_{};         // of the tip, in the base system
-    path::VirtualAxes axes_;  // in which at_ is told
+    path::VirtualAxes axes_;  // in which at_ is given
     AxisValues length_{};     // of the tool
     double seconds_ = 0;
     double cutting_seconds_ = 0;

@@ -77,8 +77,8 @@ Write Answers::set_quantity(SystemQuantity quantity, std::int64_t first, std::in
     }
 }
 
-/// The spindle gets the speed at which the tool's radius moves so fast, m/min; the motion side is
-/// told with the next block.
+/// The spindle gets the speed at which the tool's radius moves so fast, m/min; it is commanded with
+/// the next block.
 Write Answers::set_edge_speed(double value) {
     const double radius = tool_offsets_.radius(tool_.edge_number()) + extra_.radius;
     if (!(radius > 0) || !(value > 0)) return Write::NoSuchEntry;

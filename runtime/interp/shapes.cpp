@@ -81,7 +81,7 @@ Done CycleShapes::require_shape_block(const Block& block) {
             .arg(reporter_.word_of(block, block.motion));
         return kFailed;
     }
-    if (shape_->is_named && !modal_.has_feed) {  // the cycle says the feeds
+    if (shape_->is_named && !modal_.has_feed) {  // the cycle gives the feeds
         channel_.feed.assume(1);
     }
     if (shape_->has_begun) return kDone;
@@ -152,7 +152,7 @@ void CycleShapes::return_from_shape() {
 CycleShape CycleShapes::shape_of(const ShapeRun& run) const {
     CycleShape shape;
     const path::Plane plane = run.modal.plane;
-    // Where the words of a cycle are turned into another plane, so is its shape.
+    // Where the words of a cycle are rotated into another plane, so is its shape.
     shape.plane = run.is_named && !cycle_.lies_flat ? path::Plane::Xy : plane;
     shape.is_diameter = cycle_.lies_flat || axes_.word_scale[index(Axis::X)] != 1;
     const path::PlaneAxes axes = path::axes_of(plane);

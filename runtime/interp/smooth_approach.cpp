@@ -53,7 +53,7 @@ const DiagnosticRow* SmoothApproach::take(Command& command) {
     if (!has_point_) return moves && is_straight ? take_point(motion) : &diag::SoftNoPlace;
     if (!is_arc && !is_straight) return &diag::SoftNoDirection;
     if (!moves) {
-        // The level of the contour, if the approach has not said it.
+        // The level of the contour, if the approach has not given it.
         if (has_level_ || !is_straight) return &diag::SoftNoPlace;
         to_ = motion.to;
         has_level_ = true;
@@ -74,7 +74,7 @@ const DiagnosticRow* SmoothApproach::take(Command& command) {
     return nullptr;
 }
 
-/// The line behind the approach says where the contour begins, and does not move by itself.
+/// The line behind the approach gives where the contour begins, and does not move by itself.
 const DiagnosticRow* SmoothApproach::take_point(const path::Motion& motion) {
     const std::size_t normal = index(axes_.normal);
     const bool has_level = std::abs(motion.to[normal] - to_[normal]) > path::kSamePoint;

@@ -1,5 +1,5 @@
-// smooth_approach.h — a soft approach waits for its contour: commands in, and out again behind the
-// way to the contour, once the contour's direction is known.
+// smooth_approach.h — a smooth approach waits for its contour: commands in, and out again behind
+// the path to the contour, once the contour's direction is known.
 //
 // Here is what the program has asked for and what of that is known by now; the moves that it
 // becomes are made by the executor (approach_moves.cpp).
@@ -17,7 +17,7 @@
 
 namespace kadr::interp {
 
-/// What the words of a block say of a soft approach or retract. Lengths mm.
+/// What the words of a block program of a smooth approach or retraction. Lengths mm.
 struct ApproachMove {
     path::ApproachShape shape = path::ApproachShape::Line;
     double radius = 0;                // DISR
@@ -25,19 +25,19 @@ struct ApproachMove {
     std::optional<double> level;      // … or as a coordinate in the base system
     std::optional<double> slow_feed;  // of the slow infeed
     ApproachChoice choice;
-    path::Command fast;  // as the block before moves: op, feed, place
+    path::Command fast;  // as the block before moves: op, feed, source
     path::Command slow;  // as this block moves
 };
 
 class SmoothApproach {
   public:
     bool is_active() const { return is_active_; }
-    /// Whether the next line says where the contour begins.
+    /// Whether the next line gives where the contour begins.
     bool needs_point() const { return is_active_ && !has_point_; }
 
     /// `from` is where the tool is, `to` where the block takes it; both in the base system.
     ///
-    /// has_place, has_level  whether the block says the place in the plane, and along its normal
+    /// has_place, has_level  whether the block gives the point in the plane, and along its normal
     void begin(const ApproachMove& move, path::Plane plane, const AxisValues& from,
                const AxisValues& to, bool has_place, bool has_level);
 

@@ -1,4 +1,4 @@
-// smoothing.cpp — what a program says of rounded corners and compressed lines.
+// smoothing.cpp — what is programmed of blended corners and compressed lines.
 //
 // The commands carry it; where a curve fits, and which one, is the motion side's matter.
 #include <algorithm>
@@ -58,7 +58,7 @@ void PathSmoothing::choose_smoothing(const Block& block, const nc::Invocation& i
     (is_rapid ? smoothing_.rapid_distance : smoothing_.feed_distance) = std::max(size, 0.0);
 }
 
-/// S 10.4 CYCLE832. Which of G642, G643 and G645 the cycle says, and which compressor, is a matter
+/// S 10.4 CYCLE832. Which of G642, G643 and G645 the cycle uses, and which compressor, is a matter
 /// of its set-up (unsure): here they are those that give the smoothest path within the tolerance,
 /// whatever the kind of machining. The kinds differ in their dynamics, of which a machine file has
 /// one set.

@@ -1,5 +1,4 @@
-// spindles.h — the spindles of the machine: what is programmed of each, and what the motion side
-// was told.
+// spindles.h — the spindles of the machine: what is programmed of each, and what is commanded.
 #pragma once
 
 #include "interp/channel_state.h"
@@ -8,16 +7,16 @@ namespace kadr::interp {
 
 struct Channel;
 
-/// The spindles of the machine: what is programmed of each, and what the motion side was told.
+/// The spindles of the machine: what is programmed of each, and what is commanded.
 class Spindles {
   public:
     explicit Spindles(Channel& channel);
     Spindles(const Spindles&) = delete;
     Spindles& operator=(const Spindles&) = delete;
 
-    /// The master turns so, or stands; the motion side is told by update_spindle.
+    /// The master turns so, or stands; update_spindle commands it.
     void turn(path::SpindleMode mode) { spindle_.mode = mode; }
-    /// rpm; the motion side is told with the next block.
+    /// rpm; commanded with the next block.
     void set_speed_later(double speed) {
         spindle_.speed = speed;
         owe_speed(true);
@@ -31,14 +30,14 @@ class Spindles {
     void leave_cutting_speed();
     /// The highest speed under constant cutting speed, rpm.
     void limit_speed(const nc::Block& block, nc::Function function, double limit);
-    /// A speed that nothing programmed passes, rpm; 0 takes the bound away.
+    /// A speed that none programmed passes, rpm; 0 takes the bound away.
     void bound_speed(const nc::Block& block, nc::Function function, bool is_upper, double bound);
     /// The limit that acts under constant cutting speed, rpm; 0: none.
     double highest_speed() const;
     /// Speed under constant cutting speed where the tool is, rpm; infinite in the centre without a
     /// limit.
     double turning_speed() const;
-    /// Tells the motion side what has become of the spindle, if anything has.
+    /// Commands what the spindle does from here on, if that has changed.
     void update_spindle(const nc::Block& block);
     /// SPOS and M19: it stands at an angle, before the motion.
     void orient_spindle(const nc::Block& block, const nc::Invocation& invocation);
@@ -50,10 +49,10 @@ class Spindles {
     std::uint8_t shown_number() const;
     /// SETMS: whose sense M3, M4, M5 and S are.
     void select_master(const nc::Block& block, const nc::Invocation& invocation);
-    /// What a word says of a spindle by its number.
+    /// What a word programs for a spindle by its number.
     void act_on_spindle(const nc::Block& block, const nc::Invocation& invocation);
-    /// Tells what the block has changed of the spindles by their numbers: the master is told as
-    /// ever.
+    /// Commands what the block has changed at the spindles by their numbers: the master is
+    /// commanded as ever.
     void update_other_spindles(const nc::Block& block);
     /// The time of so many revolutions of a spindle is known here; the path follows the master
     /// alone.

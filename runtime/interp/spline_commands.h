@@ -1,4 +1,4 @@
-// spline_commands.h — what blocks say beside the points of a spline that is still open.
+// spline_commands.h — what blocks program beside the points of a spline that is still open.
 //
 // Their spans are executed later, when further points have come. What a block switches acts from
 // its own span on, and a command that it gives stands in front of that span.

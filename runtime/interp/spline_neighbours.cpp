@@ -1,10 +1,10 @@
 // spline_neighbours.cpp — the direction in which the block behind a spline begins, for its end.
 //
-// The block is not executed yet: what it says of its motion is read under the state that it will
-// find. What is wrong with its words is said here already.
+// The block is not executed yet: what it programs for its motion is read under the state that it
+// will find. What is wrong with its words is reported here already.
 //
 // No direction has a block that takes its own from the spline before it: a tangent arc, another
-// spline through points. Nor one that moves places first, or says no motion of X, Y and Z.
+// spline through points. Nor one that moves the zero first, or programs no motion of X, Y and Z.
 #include <Eigen/Geometry>
 
 #include "interp/block_words.h"

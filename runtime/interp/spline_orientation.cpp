@@ -1,9 +1,10 @@
-// spline_orientation.cpp — how the tool turns along splines and polynomials.
+// spline_orientation.cpp — tool orientation along splines and polynomials.
 //
-// Blocks of a spline are read before their spans are known: what they say of the tool waits with
-// them. Along a span the tool turns as along any other way, in proportion to its length. A pole of
-// a B-spline is no place of the way; the directions beside the poles are poles themselves, and at
-// the end of every span the tool stands as their spline says.
+// Blocks of a spline are read before their spans are known: what they program for the tool waits
+// with them. Along a span the orientation changes as along any other path, in proportion to its
+// length. A control point of a B-spline is no point of the path; the directions beside the control
+// points are control points themselves, and at the end of every span the tool has the direction of
+// their spline.
 #include <bit>
 #include <utility>
 

@@ -102,7 +102,7 @@ std::optional<SplineStep> SplineRun::next() {
     if (!is_finished_) return std::nullopt;
     if (held_) {
         held_->is_last = true;
-        held_->block.to = blocks_.front().to;  // the last pole, not rounded
+        held_->block.to = blocks_.front().to;  // the last control point, not rounded
         held_->block.direction = blocks_.front().direction;
     }
     return std::exchange(held_, std::nullopt);

@@ -36,7 +36,7 @@ using path::Vec3;
 
 namespace {
 
-/// The first pole of a spline by knots is where the tool is, as far as texts can say it, mm.
+/// The first control point of a spline by knots is where the tool is, as exactly as texts are, mm.
 constexpr double kSamePlace = 0.002;
 
 std::string_view words_of(NurbsFault fault) {
@@ -56,7 +56,7 @@ constexpr std::size_t kKnot = parameter_of<Function::SplineKnot>("knot");
 constexpr std::size_t kInterval = parameter_of<Function::SplineInterval>("interval");
 constexpr std::size_t kWeight = parameter_of<Function::SplineWeight>("weight");
 
-/// The argument of a word beside a pole.
+/// The argument of a word beside a control point.
 std::optional<double> word(const Block& block, Function function, std::size_t parameter) {
     const nc::Invocation* invocation = block.find(function);
     return invocation == nullptr ? std::nullopt
@@ -180,7 +180,7 @@ Done Splines::add_control_point(const Block& block, SlotMask targets, const Tool
     }
     const Target target = channel_.motions.motion_words().target_of(block, targets);
     const Vec3 pole = linear(target.base);
-    // Poles of X, Y and Z may lie where the axes never go; those of the others are held to theirs.
+    // Control points of X, Y and Z may lie where the axes never go; others keep to the limits.
     if (!channel_.checks.require_within_limits(block, target.base,
                                                static_cast<AxisMask>(target.moved & ~kLinearXYZ)))
         return kFailed;
@@ -199,7 +199,7 @@ Done Splines::add_control_point(const Block& block, SlotMask targets, const Tool
 }
 
 /// Whether a spline goes on in a block with a position beside which this stands. Another motion
-/// ends it, and what makes the path stop; what moves places or the tool ends it as well.
+/// ends it, and what makes the path stop; what moves the zero or the tool ends it as well.
 /// source: SINUMERIK reference 4.4
 bool Splines::leaves_spline_open(const Block& block, const nc::Invocation& invocation) const {
     if (nc::has_fact(invocation.function, nc::Fact::InSpline)) return true;
@@ -226,7 +226,7 @@ bool Splines::leaves_spline_open(const Block& block, const nc::Invocation& invoc
 
 /// A block with a point, as its span is executed.
 ControlPointBlock Splines::control_point_block(const Block& block, const AxisValues& to) {
-    // A course of the feed counts blocks.
+    // A varying feed counts blocks.
     if (block.function_count != 0 || dynamics_.has_feed_characteristic())
         spline_commands_.change(span_as_programmed(block));
     return {block.line,
@@ -258,12 +258,13 @@ void Splines::move_along_spline() {
         const std::optional<SplineStep> step = spline_->next();
         if (!step) return;
         put_commands_before(step->block.number);
-        // Between the ends no block ends at a place of its own.
+        // Between the ends no block ends at a position of its own.
         put_span(step->span, step->block, spline_->moved, step->is_last && step->block.stops);
     }
 }
 
-/// A span of an open spline is as its own block has said, and turns as it was laid just now.
+/// A span of an open spline is as its own block has programmed, and its orientation is as it was
+/// laid just now.
 void Splines::as_programmed(Command& command) const {
     const Command laid = std::exchange(command, spline_commands_.span());
     command.source = laid.source;
@@ -273,10 +274,10 @@ void Splines::as_programmed(Command& command) const {
     command.motion().orient_details = laid.motion().orient_details;
 }
 
-/// A span as a command, said by a block.
+/// A span as a command, programmed by a block.
 void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& control_point,
                        AxisMask moved, bool exact_stop) {
-    Block at;  // whose place messages show
+    Block at;  // whose location messages show
     at.line = control_point.line;
     at.source = control_point.source;
     const auto& [start, end, shape, last] = span;
@@ -306,7 +307,7 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& co
     motion.exact_stop = exact_stop;
 }
 
-/// Another block follows, or none: the spline ends where its last pole is.
+/// Another block follows, or none: the spline ends where its last control point is.
 void Splines::finish_spline() {
     if (const auto fault = spline_->finish()) {
         report_spline(spline_end_, *fault);

@@ -14,24 +14,24 @@ class Splines {
     Splines(const Splines&) = delete;
     Splines& operator=(const Splines&) = delete;
 
-    /// Whether a block belongs to the spline that runs. By knots, the function said again begins
-    /// another one.
+    /// Whether a block belongs to the spline that runs. By knots, the function programmed again
+    /// begins another one.
     bool continues_spline(const nc::Block& block) const;
     /// SD, 1 to 3.
     void set_spline_degree(const nc::Block& block, const nc::Invocation& invocation);
-    /// A block under the spline function: a pole, a knot or both.
+    /// A block under the spline function: a control point, a knot or both.
     void spline(const nc::Block& block, const ToolWords& tool);
-    /// `kind` as the function says it; what it may be is the dialect's matter.
+    /// `kind` as the function names it; what it may be is the dialect's matter.
     void choose_spline_end(const nc::Block& block, const nc::Invocation& invocation);
     /// Whether a block belongs to the spline that runs: a position, with nothing beside it that
     /// ends the spline. The function may stand there again.
     bool continues_through(const nc::Block& block);
-    /// Whether a block says how the tool stands at the place where it is: no point of a spline, as
+    /// Whether a block orients the tool at the point where it is: no point of a spline, as
     /// a point cannot stand twice, but not to be left out either. It is run by itself.
     bool only_turns(const nc::Block& block);
     /// A block with a position under such a function.
     void go_through(const nc::Block& block, nc::SlotMask targets, const ToolWords& tool);
-    /// What is open ends: where the tool is cannot be said inside of a spline. `next` is the block
+    /// What is open ends: where the tool is cannot be known inside of a spline. `next` is the block
     /// that ends it, if it is one.
     void finish_open_spline(const nc::Block* next = nullptr);
     /// POLY: spans of its own, until the end of the block.
@@ -73,7 +73,7 @@ class Splines {
     bool& puts_span_;
     const ProgrammedDynamics& dynamics_;
     SplineEnds spline_ends_;
-    nc::Block spline_end_{};  // place of its latest block
+    nc::Block spline_end_{};  // location of its latest block
     int spline_degree_ = 3;
 };
 

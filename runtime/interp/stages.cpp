@@ -47,7 +47,7 @@ void Stages::settle(const Block& block) {
     std::optional<CornerMessage> message;
     if (reporter_.has_alarm()) {
         message = corners_.leave(diag::CornerWithoutMotion);
-        message.reset();  // the block has said what is wrong
+        message.reset();  // the block has reported what is wrong
     } else {
         message = corners_.end_block(position_.base(), {block.source, block.line});
         if (!message && reporter_.has_ended()) message = corners_.leave(diag::CornerWithoutMotion);
@@ -79,7 +79,7 @@ Command& Stages::behind_corners() {
 
 namespace {
 
-/// Neither does it turn the tool, nor is it told in other axes, nor touch with the cutter's side.
+/// Neither does it orient the tool, nor is it given in other axes, nor touch with the flank.
 void forget_extras(path::Motion& motion) {
     motion.contact.reset();
     motion.orient_plainly(path::OrientKind::None);
@@ -118,7 +118,7 @@ void Stages::fill_in_head(Command& command, const Block& block) {
     command.is_unshifted = channel_.frames.are_off();
 }
 
-/// What the modal state says of a motion.
+/// What the modal state has for a motion.
 void Stages::fill_in_modal(path::Motion& motion, const Block& block) {
     const Op op = motion.op();
     motion.feed_mode = modal_.feed_mode;

@@ -23,12 +23,12 @@ class Stages {
     void settle_stages(const nc::Block& block, const AxisValues& here, bool is_last);
     /// Where a command goes that no corner waits for.
     path::Command& behind_corners();
-    /// A command in its slot, with what the modal state says of it.
+    /// A command in its slot, with what the modal state has of it.
     ///
     /// orientation  of the tool in a motion; null: it stays as it stands
     path::Command& put(path::Op op, const nc::Block& block,
                        const OrientPlan* orientation = nullptr);
-    /// … of a motion where nothing waits, nothing compensates and nothing turns the tool.
+    /// … of a motion where nothing waits, nothing compensates and nothing orients the tool.
     path::Motion& put_straight_out(path::Op op, const nc::Block& block);
     /// Every command that waits, the nearest to the output first.
     template <typename Visit>
@@ -39,10 +39,10 @@ class Stages {
         smooth_approach_.look_at_waiting(visit);
         corners_.look_at_waiting(visit);
     }
-    /// What the modal state says of a command; one that was something else before forgets it.
+    /// What the modal state has of a command; one that was something else before forgets it.
     void fill_in(path::Command& command, const nc::Block& block,
                  const OrientPlan* orientation = nullptr);
-    /// A block for messages, at the place of a command. Where that is the call of the cycle that
+    /// A block for messages, at the location of a command. Where that is the call of the cycle that
     /// runs, it is one of the cycle's.
     nc::Block block_at(SourceId source, std::uint32_t line) const;
     /// As block_at, into a block that there is.

@@ -37,12 +37,12 @@ struct Modal {
     void move_by(nc::Function code) { motion = code; }
 };
 
-/// What the program takes from the operator, and says of how fast its motions may be.
+/// What the program takes from the operator, and how fast it lets its motions be.
 struct PanelState {
     bool has_hold = true;
     bool has_override = true;  // of the feed
     bool has_exact_stop = true;
-    Boxed<path::Dynamics> dynamics;  // none as long as nothing was said
+    Boxed<path::Dynamics> dynamics;  // none as long as nothing was programmed
 
     /// Of axes that position by themselves.
     struct Positioning {
@@ -56,7 +56,7 @@ struct PanelState {
         }
     };
     Positioning positioning;
-    bool has_feed_characteristic = false;  // whatever follows was said once
+    bool has_feed_characteristic = false;  // whatever follows was programmed once
     path::FeedCharacteristic feed_characteristic =
         path::FeedCharacteristic::Constant;  // of the feeds from here on
     path::FeedLaw polynomial;                // … of its block alone
@@ -81,7 +81,7 @@ struct ProgrammedSpindle {
     bool has_cutting_speed = false;  // constant cutting speed is on
     double angle_deg = 0;            // where it stands, if it is oriented
 
-    /// What the motion side was told last.
+    /// What the motion side was commanded last.
     struct Commanded {
         path::SpindleMode mode = path::SpindleMode::Stop;
         double speed = 0;
@@ -104,7 +104,7 @@ struct Tool {
     std::int64_t radius_offset = 0;  // number of the radius offset for compensation
     std::int64_t edge = 1;           // of the tool in the spindle
     std::int64_t sum = 0;            // number of the edge's sum offset; 0 none
-    std::int64_t edge_called = 0;    // … that a block has said, for the tool that is selected
+    std::int64_t edge_called = 0;  // … that a block has programmed, for the tool that is selected
 
     path::Vec3 lengths = path::Vec3::Zero();  // in force along X, Y, Z, mm
     Axis axis = Axis::Z;                      // along which the chief one of them lies
@@ -136,11 +136,11 @@ struct RadiusCompState {
     double allowance = 0;                 // mm
     CompKind system = CompKind::InPlane;  // chosen for where it begins next …
     bool is_in_frame = false;             // … in the plane that frames have tilted
-    bool is_peripheral_code = false;      // … unless its own code says by the side
+    bool is_peripheral_code = false;      // … unless its own code means peripheral milling
     CompKind acting = CompKind::InPlane;  // where it has begun
     bool is_mirrored = false;             // … and whether a frame mirrored its plane there
-    bool orients_on_arc = true;           // in space: blocks at corners that only turn the tool
-    double depth = 0;                     // in space: of the contour above the tip, mm
+    bool orients_on_arc = true;           // 3D: blocks at corners that only orient the tool
+    double depth = 0;                     // 3D: of the contour above the tip, mm
 
     bool is_on() const { return side != CompSide::Off; }
     CompKind chosen() const { return is_peripheral_code ? CompKind::Peripheral : system; }
@@ -151,14 +151,14 @@ struct RadiusCompState {
     }
 };
 
-/// What the program has chosen for soft approaches and retracts.
+/// What the program has chosen for smooth approaches and retractions.
 struct ApproachChoice {
     enum class Side : std::uint8_t { OfCutter, Left, Right, OfTool };
     Side side = Side::OfCutter;
     bool in_steps = false;
 };
 
-/// What the program has said of rounded corners and compressed lines, mm.
+/// What is programmed for corner blending and compressed lines, mm.
 struct Smoothing {
     double feed_distance = 0;
     double rapid_distance = 0;
@@ -168,13 +168,13 @@ struct Smoothing {
     bool smooths_orientation = false;  // of the tool, from motion to motion
 };
 
-/// How words of the orientation are understood, and on which way the tool turns.
+/// How words of the orientation are understood, and how the orientation is interpolated.
 struct OrientModes {
     OrientInterpolation interpolation = OrientInterpolation::Plane;
     ToolAngles angles = ToolAngles::Euler;
     ToolAngles euler = ToolAngles::Euler;  // what Euler's angles are on this control
     SpinFrom spin = SpinFrom::Fixed;
-    bool is_in_base = false;  // orientations are said in the base system
+    bool is_in_base = false;  // orientations are programmed in the base system
 
     /// Whether the tool is led by a surface in every block.
     bool keeps_lead_tilt_to_surface() const {
@@ -182,28 +182,29 @@ struct OrientModes {
     }
 };
 
-/// What the program has chosen of the machine's transformation and of the tool's turning.
+/// What the program has chosen of the machine's transformation and of the orientation.
 struct Orienting : OrientModes {
     bool is_on = false;          // X, Y and Z are the tip in the workpiece
     bool has_length = false;     // it was switched on as a kind of tool length compensation
-    bool takes_vectors = false;  // … whose blocks say the tool's direction
+    bool takes_vectors = false;  // … whose blocks program the tool's direction
     PointToPoint point_to_point = PointToPoint::None;
     int configuration = 0;           // wanted there, 1 or 2; 0: any
-    double lead = 0;                 // deg, of a direction whose block does not say another one
+    double lead = 0;                 // deg, of a direction whose block does not program another one
     path::LeadTiltAngles lead_tilt;  // from the surface normal
-    bool has_lead_tilt = false;      // … at the end of every block, until one says a direction
+    bool has_lead_tilt = false;  // … at the end of every block, until one programs a direction
     // Behind the latest motion, in the base system:
-    std::optional<path::Vec3> normal;      // of the surface; nothing: none was said yet
+    std::optional<path::Vec3> normal;      // of the surface; nothing: none was yet programmed
     path::Vec3 rate = path::Vec3::Zero();  // how the tool's direction changed at its end
     std::optional<path::Vec3> point;       // the second point of the tool's axis
-    bool owes_offset = false;              // a work offset is to be said behind the switch
+    bool owes_offset = false;              // a work offset is to be programmed behind the switch
 
     void lead_tilt_at_ends(bool is_wanted) { has_lead_tilt = is_wanted; }
 };
 
-/// What the words of one block say of the tool. Components and angles that are not said are 0.
+/// What the words of one block program for the tool. Components and angles that are not programmed
+/// are 0.
 struct ToolWords {
-    /// Three components of which bit i tells whether number i is said.
+    /// Three components of which bit i tells whether number i is programmed.
     struct Triple {
         std::array<double, 3> values{};
         std::uint8_t parts = 0;
@@ -233,7 +234,8 @@ struct ToolWords {
     bool programs_surface() const {
         return changes_lead_tilt || normals[0].is_given() || normals[1].is_given();
     }
-    /// Whether the block turns the tool even where no axis is named. A lead and a tilt act on ways.
+    /// Whether the block orients the tool even where no axis is named. A lead and a tilt act on
+    /// travel.
     bool turns() const {
         const bool has_normal = normals[0].is_given() || normals[1].is_given();
         return programs_direction() || has_normal || point.is_given() || spin || spin_by;
@@ -244,7 +246,7 @@ struct ToolWords {
     }
 };
 
-/// What the blocks of one tilted plane have said so far, if it takes several.
+/// What the blocks of one tilted plane have programmed so far, if it takes several.
 struct OpenPlane {
     bool is_by_points = false;  // or by vectors
     bool is_added = false;
@@ -257,14 +259,14 @@ struct OpenPlane {
 /// A tilted working plane, and how the rotary axes stand to it.
 struct Tilting {
     bool is_on = false;      // a plane acts
-    bool carries = false;    // frames lie on the turned tables, lengths along the turned tool …
+    bool carries = false;    // frames lie on the turned tables, lengths along the inclined tool …
     bool on_tables = false;  // … or the frames do so alone
     path::Vec3 joints = path::Vec3::Zero();  // R1, R2, Ψ there, rad
     int turns = 0;  // rotations in space that made it; the tool lies along its Z
     std::optional<OpenPlane> open;
 };
 
-/// The face, the cylinder or the inclined slide in whose coordinates the program is told.
+/// The polar, cylindrical or inclined-axis transformation that the program is written for.
 struct Virtual {
     path::VirtualAxes axes;  // off: every axis by itself
     /// Of the program's words: the rotary one is the coordinate around, and in the plane with X
@@ -274,7 +276,7 @@ struct Virtual {
     path::Plane plane_before = path::Plane::Xy;
 };
 
-/// How the tool turns in a motion, as a Command says it.
+/// The tool orientation in a motion, as a Command has it.
 struct OrientPlan {
     path::OrientKind orient_kind = path::OrientKind::Axes;
     path::Vec3 direction = path::Vec3::UnitZ();  // at the end
@@ -290,13 +292,13 @@ struct OrientPlan {
 /// Polar coordinates, in the working plane of the programmed system.
 struct Polar {
     bool is_on = false;         // the words of the plane's axes are radius and angle
-    bool is_by_points = false;  // the motion that acts was said with an end by angle and radius
+    bool is_by_points = false;  // the end of the motion that acts is by angle and radius
     path::Vec2 pole = path::Vec2::Zero();
-    double radius = 0;  // said last, mm
+    double radius = 0;  // programmed last, mm
     double angle_deg = 0;
 };
 
-/// What the words of modal cycles have said: it holds for every further cycle until the mode ends.
+/// What the words of modal cycles have programmed: it holds for every further cycle in that mode.
 struct CycleData {
     double initial = 0;  // level of the tool axis when the mode was entered
     control::CycleLevels levels;
@@ -317,7 +319,7 @@ struct ModalCycle {
     bool is_active = false;
     nc::CycleId cycle = 0;
     std::uint32_t given = 0;
-    std::uint16_t by_form = 0;  // parameters that the code itself says
+    std::uint16_t by_form = 0;  // parameters that the code itself brings
     std::array<double, nc::kMaxArguments> arguments{};
 
     bool has(std::optional<std::size_t> parameter) const {

@@ -1,5 +1,5 @@
 // surfaces.cpp — milling with the end of a cutter: which cutter it is, and how the surface lies
-// that a block's normals say (S 5.3, 7.3).
+// that a block's normals give (S 5.3, 7.3).
 #include <numbers>
 
 #include "base/diagnostics/iso.h"
@@ -42,7 +42,7 @@ std::optional<Cutter3d> RadiusCompensation::mill_shape_now(const Block& block) {
     return cutter;
 }
 
-/// Where the program has said that the tool keeps its direction, nothing may turn it.
+/// Where the tool is programmed to keep its direction, nothing may change it.
 Done RadiusCompensation::require_constant_tool(const Block& block) {
     const bool is_constant = comp_.acting == CompKind::FaceMillingInFrame ||
                              comp_.acting == CompKind::FaceMillingInPlane;

@@ -54,7 +54,7 @@ int digit(double number, int index) {
     return static_cast<int>(std::fmod(std::floor(std::abs(number) / std::pow(10, index)), 10));
 }
 
-/// X, Y and Z as a frame has turned them, without its scale and its mirrors.
+/// X, Y and Z as a frame has rotated them, without its scale and its mirrors.
 Mat3 directions(const Mat3& linear) {
     Mat3 result = linear;
     result.colwise().normalize();
@@ -94,8 +94,8 @@ void TiltedPlanes::swivel(const Block& block, const Invocation& invocation) {
     if (orienting_.is_on) channel_.transformation.switch_transformation(block, {Function::TcpOff});
     if (reporter_.has_ended() || !retract_before_swivel(block, invocation)) return;
 
-    // A new plane is said in the system of the work offset; one that is added, in the plane so far
-    // with all that the program has done in it.
+    // A new plane is programmed in the system of the work offset; one that is added, in the plane
+    // so far with all that the program has done in it.
     const Frame outer = digit(options, 0) == 1 ? frames_.inside_tool_frame() : Frame{};
     frames_.set_tool_frame(std::nullopt);
     frames_.set_programmable({});
@@ -136,7 +136,7 @@ Vec3 TiltedPlanes::direct_joints(const Block& block, const Invocation& invocatio
     return joints;
 }
 
-/// The rotation that the mode and the angles say; nothing if it was reported.
+/// The rotation that the mode and the angles give; nothing if it was reported.
 std::optional<Mat3> TiltedPlanes::swivel_rotation(const Block& block,
                                                   const Invocation& invocation) {
     const double mode = block.argument(invocation, kMode);
@@ -151,7 +151,7 @@ std::optional<Mat3> TiltedPlanes::swivel_rotation(const Block& block,
     const auto axis = [&](std::size_t i) { return static_cast<Axis>(codes[i] - 1); };
     switch (bits >> 6) {
         case kDirect: {
-            // The plane lies as the rotary axes hold it, whatever the work offset is turned by.
+            // The plane lies as the rotary axes hold it, whatever the work offset is rotated by.
             const Mat3 outer = directions((frames_.outside_tool_frame() * frames_.tilt()).linear);
             return Mat3(outer.transpose() * machine::rotation_of(machine_.kinematics->chain,
                                                                  direct_joints(block, invocation)));
@@ -238,7 +238,7 @@ void TiltedPlanes::end_swivel(const Block& block) {
 void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invocation) {
     const double programmed = block.argument(invocation, parameter_of<Function::ToolFrame>("axis"));
     const auto axis = static_cast<Eigen::Index>(programmed) - 1;
-    if (axis < 0 || axis > 2) return;  // no form says it
+    if (axis < 0 || axis > 2) return;  // no form has it
     Vec3 tool = Vec3::UnitZ();
     if (carrier_.stand) {
         tool = carrier_.stand->head() * tool;
@@ -251,7 +251,7 @@ void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invoca
     frames_.set_tool_frame(std::nullopt);
     const Frame old = frames_.total();
     const Mat3 before = directions(old.linear);
-    Mat3 order = Mat3::Zero();  // brings the axis to the place of Z
+    Mat3 order = Mat3::Zero();  // brings the axis to where Z was
     for (Eigen::Index i = 0; i < 3; ++i) order((i + axis + 1) % 3, i) = 1;
     const Mat3 after = machine::square_to_tool_near(tool, before * order) * order.transpose();
     const bool moves = block.argument(invocation, parameter_of<Function::ToolFrame>("moves")) != 0;
@@ -260,7 +260,7 @@ void TiltedPlanes::frame_along_tool(const Block& block, const Invocation& invoca
     const Frame outside = frames_.tables() * frames_.outside_tool_frame();
     frames_.set_tool_frame(back_of(outside) * wanted * back_of(frames_.inside_tool_frame()));
     channel_.frames.frame_changed();
-    position_.name();  // `Z=IC(100)` behind it is a way along the tool alone
+    position_.name();  // `Z=IC(100)` behind it is a distance along the tool alone
 }
 
 void TiltedPlanes::follow_tables(const Block& block, bool is_wanted) {

@@ -29,7 +29,7 @@ using path::SpindleMode;
 using path::Vec3;
 
 /// A line with the spindle geared to it, in as out: the spindle turns as the sign of the pitch
-/// says, and stands at the end with the axis.
+/// tells, and stands at the end with the axis.
 void Motions::tap(const Block& block, const Target& target) {
     const SlotMask words = block.given & nc::kCenterSlots;
     const double pitch = words == 0 ? 0 : block.at(first_slot(words));
@@ -58,8 +58,8 @@ void Motions::tap(const Block& block, const Target& target) {
     channel_.spindles.update_spindle(block);
 }
 
-/// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer way, so
-/// a turn takes the tool so much farther along the line as that is longer.
+/// A line geared to the spindle as it turns. Its pitch counts along the axis of the longer travel,
+/// so a revolution takes the tool so much farther along the line as that is longer.
 void Motions::thread(const Block& block, const Target& target, const Actions& actions) {
     const Vec3 delta = linear(target.here) - linear(position_.here());
     const std::optional<double> pitch = thread_pitch(block, delta);
@@ -95,8 +95,9 @@ Done Motions::require_thread_spindle(const Block& block) {
     return kDone;
 }
 
-/// By how much the pitch changes in a turn; 0 of an even thread. In a turn the tool goes by the
-/// pitch, so its square changes by twice the change times the way: it must not come to zero.
+/// By how much the pitch changes in a revolution; 0 of an even thread. In a revolution the tool
+/// goes by the pitch, so its square changes by twice the change times the distance: it must not
+/// come to zero.
 std::optional<double> Motions::thread_change(const Block& block, double pitch, double distance) {
     if (!nc::has_fact(modal_.motion, nc::Fact::VaryingThread)) return 0;
     const nc::Invocation* const word = block.find(Function::ThreadChange);
@@ -113,14 +114,14 @@ std::optional<double> Motions::thread_change(const Block& block, double pitch, d
     return std::nullopt;
 }
 
-/// The pitch that the block or, on some controls, F says; nothing if it was reported missing.
+/// The pitch that the block or, on some controls, F gives; nothing if it was reported missing.
 std::optional<double> Motions::thread_pitch(const Block& block, const Vec3& delta) {
     constexpr double kEqualTravels = 1e-6;  // mm: at 45 degrees either axis will do
     const SlotMask words = block.given & nc::kCenterSlots;
     Eigen::Index longest = 0;
     const double most = delta.cwiseAbs().maxCoeff(&longest);
     const std::string_view name = kAxisNames[static_cast<std::size_t>(longest)];
-    // The blocks of a cycle are neutral ones: they say it in a word.
+    // The blocks of a cycle are neutral ones: they have a word for it.
     if (rules_.thread_pitch_is_feed && !block.is_of_cycle()) {
         if (words != 0) warn_arc_word(block, words);
         if (modal_.has_feed && modal_.feed > 0) return modal_.feed;

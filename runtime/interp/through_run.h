@@ -9,14 +9,14 @@
 
 namespace kadr::interp {
 
-/// What the program has said of the ends of such splines.
+/// What is programmed for the ends of such splines.
 struct SplineEnds {
     path::SplineEnd::Kind start = path::SplineEnd::Kind::Natural;
     path::SplineEnd::Kind end = path::SplineEnd::Kind::Natural;
 };
 
 struct ThroughRun {
-    nc::Function function = nc::Function::None;  // its motion: blocks may say it again
+    nc::Function function = nc::Function::None;  // its motion: blocks may program it again
     path::ThroughSpline spline;
     std::deque<ControlPointBlock>
         blocks;          // of the spans to come: that of the point where each ends

@@ -1,8 +1,8 @@
 // through_splines.cpp — splines through points: their blocks are collected, their spans executed as
 // soon as they are known.
 //
-// X, Y and Z make the spline, which is what SPLINEPATH says if nobody says it; from point to point
-// every other axis goes in proportion to the way (SPATH; SINUMERIK reference 4.4).
+// X, Y and Z make the spline, which is what SPLINEPATH is if nobody programs it; from point to
+// point every other axis goes in proportion to the path (SPATH; SINUMERIK reference 4.4).
 #include <bit>
 
 #include "base/diagnostics/iso.h"
@@ -30,7 +30,7 @@ using path::Vec3;
 
 namespace {
 
-/// Direction of a way, if it is one.
+/// Direction of a distance, if it is one.
 std::optional<Vec3> direction_of(const Vec3& delta) {
     const double length = delta.norm();
     if (!(length > path::kSameKnot)) return std::nullopt;
@@ -89,7 +89,7 @@ void Splines::go_through(const Block& block, SlotMask targets, const ToolWords& 
     const Target target = channel_.motions.motion_words().target_of(block, targets);
     if (!channel_.checks.require_within_limits(block, target.base, target.moved)) return;
     if (!through_->spline.add_point(linear(target.base))) {
-        // An axis has no way of the spline to follow.
+        // An axis has no path of the spline to follow.
         const bool is_followed = others != 0 && target.base != position_.base();
         if (is_followed) refuse_others();
         else reporter_.report(diag::SplinePointRepeated, block);
@@ -118,7 +118,7 @@ Done Splines::start_through(const Block& block) {
     spline_commands_.begin(span_as_programmed(block));
     const bool is_akima = modal_.motion == Function::AkimaSpline;
     const auto kind = is_akima ? path::ThroughKind::Akima : path::ThroughKind::CubicSpline;
-    // The contour keeps its shape when a frame turns it.
+    // The contour keeps its shape when a frame rotates it.
     const path::Mat3 axes = path::unit_axes(frames_.total());
     through_.emplace(
         ThroughRun{modal_.motion, {kind, start, linear(position_.base()), axes}, {}, AxisMask{0}});
@@ -146,7 +146,7 @@ void Splines::finish_through(const Block* next) {
     if (end.kind == SplineEnd::Kind::Tangent) {
         const auto direction = next != nullptr ? direction_into(*next) : std::nullopt;
         if (!direction) {
-            // What is wrong with the block itself was said.
+            // What is wrong with the block itself was reported.
             if (!reporter_.has_ended())
                 reporter_.report(diag::SplineNoDirection, spline_end_).arg("behind");
             through_.reset();

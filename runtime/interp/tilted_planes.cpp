@@ -1,10 +1,10 @@
-// tilted_planes.cpp — tilted working planes: how a block says one, and how frames and tool follow
-// the rotary axes that stand to it.
+// tilted_planes.cpp — tilted working planes: how a block programs one, and how frames and tool
+// follow the rotary axes that stand to it.
 //
 // The base system is that of the linear axes. While a plane acts, the frames lie on the workpiece
 // as the tables have turned it, and between the tip and what the linear axes carry lies the tool as
 // the heads have turned it: every line is one of the linear axes, and limits are theirs. Workpiece
-// and offsets are said for rotary axes at zero. F 4.8, S 6.5, motion.md 7.2.
+// and offsets are given for rotary axes at zero. F 4.8, S 6.5, motion.md 7.2.
 #include "interp/tilted_planes.h"
 
 #include <array>
@@ -90,7 +90,7 @@ std::optional<std::array<Axis, 3>> axes_in_order(double digits) {
     return order;
 }
 
-/// The word of the blocks that say it.
+/// The word of the blocks that program it.
 Function function_of(const OpenPlane& programmed) {
     return programmed.is_by_points ? Function::TiltedPlaneByPoints : Function::TiltedPlaneByVectors;
 }
@@ -125,7 +125,7 @@ std::optional<Vec3> TiltedPlanes::origin_of_plane(const Block& block, const Invo
     return std::nullopt;
 }
 
-/// A plane may be said here.
+/// A plane may be programmed here.
 Done TiltedPlanes::require_place_for_plane(const Block& block, const Invocation& invocation,
                                            bool is_added) {
     if (comp_.is_on()) {
@@ -329,7 +329,7 @@ void TiltedPlanes::align(const Block& block, const Invocation& invocation) {
     }
     const std::optional<Vec3> joints = joints_for_plane(block, function, sense);
     if (!joints) return;
-    // At rapid with the plane itself, else as the modal motion says.
+    // At rapid with the plane itself, else as the modal motion has it.
     const bool is_line = modal_.motion == Function::Line && function != Function::Tilt;
     const Op op = is_line ? Op::Line : Op::Rapid;
     const double above =
@@ -339,7 +339,7 @@ void TiltedPlanes::align(const Block& block, const Invocation& invocation) {
     if (!reporter_.has_ended()) carry(block, *joints);
 }
 
-/// Places of the rotary axes with the tool along Z of the programmed system; nothing if it was
+/// Positions of the rotary axes with the tool along Z of the programmed system; nothing if it was
 /// reported.
 std::optional<Vec3> TiltedPlanes::joints_for_plane(const Block& block, Function function,
                                                    int sense) {
@@ -474,7 +474,7 @@ void TiltedPlanes::drop_carry(const Block& block) {
     stand_at(block, axes, tool_turned);
 }
 
-/// The axes stand where they are; tip and tool have another place in the base system.
+/// The axes stand where they are; tip and tool have another position in the base system.
 void TiltedPlanes::stand_at(const Block& block, const AxisValues& axes, bool tool_turns) {
     const Vec3 shift = channel_.tool.length_shift_of(tool_.lengths);
     if (tool_turns || (shift - linear(length_shift_)).norm() > kSameLength) {

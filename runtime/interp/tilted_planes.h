@@ -14,7 +14,7 @@ class TiltedPlanes {
     TiltedPlanes(const TiltedPlanes&) = delete;
     TiltedPlanes& operator=(const TiltedPlanes&) = delete;
 
-    /// A tilted plane by angles; the rotary axes go to it where the function says so.
+    /// A tilted plane by angles; the rotary axes go to it where the function asks for it.
     void tilt(const nc::Block& block, const nc::Invocation& invocation);
     /// Planes by points or vectors stand in several blocks, one behind the other.
     void set_plane_by_blocks(const nc::Block& block, const nc::Invocation& invocation);
@@ -31,7 +31,7 @@ class TiltedPlanes {
     void carry(const nc::Block& block, const path::Vec3& joints);
     /// The tables and the tool are taken as they stand without a plane.
     void drop_carry(const nc::Block& block);
-    /// A rotary axis that the plane does not follow leads the tool out of it. F 4.8.
+    /// A rotary axis that the plane does not follow takes the tool out of it. F 4.8.
     void check_carried(const nc::Block& block);
     /// A plane that takes several blocks gets them one behind the other.
     Done require_block_of_open_plane(const nc::Block& block);

@@ -44,7 +44,7 @@ Vec3 vector_at(const CarrierData& data, std::size_t first) {
     return {data.values[first], data.values[first + 1], data.values[first + 2]};
 }
 
-/// How an axis of the machine turns what it carries: a table goes against what its axis says.
+/// How an axis of the machine turns what it carries: a table goes against what its axis shows.
 Vec3 turning(const machine::RotaryJoint& joint) {
     return joint.sign * (joint.side == machine::ChainSide::Head ? 1 : -1) * joint.direction;
 }
@@ -93,7 +93,7 @@ CarrierData carrier_of(const machine::Chain& chain) {
 
 bool is_axis(const Vec3& direction) { return direction != Vec3::Zero(); }
 
-/// The turn about a direction that brings one vector to the other; both are equally far from it.
+/// The rotation about a direction that brings one vector to the other; both equally far from it.
 double turn_between(const Vec3& direction, const Vec3& from, const Vec3& to) {
     const Vec3 a = from - direction.dot(from) * direction;
     const Vec3 b = to - direction.dot(to) * direction;
@@ -104,7 +104,7 @@ bool lies_along(const Vec3& direction, const Vec3& vector) {
     return direction.cross(vector).norm() < kSameAxisDirection;
 }
 
-/// A turn of `to` about `outer` and of `from` about `inner`, so that both meet:
+/// A rotation of `to` about `outer` and of `from` about `inner`, so that both meet:
 /// Rot(outer, first) · Rot(inner, second) · from = to.
 struct TwoRotations {
     Vec3 outer;

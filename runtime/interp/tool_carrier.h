@@ -1,5 +1,5 @@
-// tool_carrier.h — tool carriers that can be turned: what a program says of them, and how one of
-// them stands.
+// tool_carrier.h — tool carriers that can be turned: what is programmed of them, and how one
+// of them stands.
 //
 // A carrier is a chain of vectors with one or two rotary axes in it, on the side of the tool, of
 // the workpiece, or one on each. It moves nothing: it turns the tool's lengths and shifts the
@@ -27,7 +27,7 @@ namespace kadr::interp {
 struct CarrierData {
     static constexpr std::size_t kMost = 65;
     std::array<double, kMost + 1> values{};
-    std::array<std::optional<Axis>, 2> axes;  // whose places are its angles
+    std::array<std::optional<Axis>, 2> axes;  // whose positions are its angles
     std::string kind = "T";
     std::array<std::string, 3> names;  // its own, and of its axes for cycles
 };
@@ -39,7 +39,7 @@ class ToolCarriers {
     /// A machine with rotary axes has carrier 1 from its file.
     explicit ToolCarriers(const machine::Machine& machine);
 
-    /// Null: nobody has said anything of it.
+    /// Null: nobody has given anything of it.
     const CarrierData* find(std::int64_t number) const;
     /// The carrier with this number, which must be 1 to 99, as it is to be written.
     CarrierData& at(std::int64_t number) { return carriers_[number]; }
@@ -62,7 +62,7 @@ struct Carrier {
     int solutions = 0;                       // of an orientation; 0: none was wanted
 
     path::Mat3 turn(std::size_t axis) const;
-    /// How the tool is turned, from where it stands with all angles at zero.
+    /// How the tool is oriented, from where it stands with all angles at zero.
     path::Mat3 head() const;
     /// … and the workpiece.
     path::Mat3 table() const;
@@ -77,7 +77,7 @@ std::optional<Carrier> carrier_of(const CarrierData& data);
 
 /// What TCOFR wants: the angles with which a direction of the tool is along one of the frame.
 struct CarrierQuery {
-    path::Vec3 tool = path::Vec3::UnitZ();   // of the tool that is not turned, unit vector
+    path::Vec3 tool = path::Vec3::UnitZ();   // of the tool that is not inclined, unit vector
     path::Vec3 frame = path::Vec3::UnitZ();  // in the frame, on a table that is not turned
     std::array<double, 2> near{};            // the solution next to these is taken, rad
 };

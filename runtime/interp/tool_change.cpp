@@ -60,7 +60,7 @@ void ToolInUse::take_edge(const Block& block) {
     check_edge(block);
 }
 
-/// A tool whose data are known has no others; of one that is not known only the edge is told.
+/// A tool whose data are known has no others; of one that is not known only the edge is reported.
 void ToolInUse::check_edge(const Block& block) {
     const std::int64_t number = tool_.edge_number();
     if (tool_.current == 0 || tool_.edge == 1 || tool_offsets_.is_known(number)) return;
@@ -147,7 +147,7 @@ void ToolInUse::change_tool(const Block& block) {
         reported_.renew_spindle();
         channel_.spindles.update_spindle(block);
     }
-    // What the block says of the edge itself is said.
+    // An edge that the block itself programs is chosen already.
     if (rules_.tool_change_activates_length && block.find(Function::ToolEdge) == nullptr)
         tool_.source = Tool::Source::Edge;
     // A length by number stays that of its offset; that it is another tool's now is looked at.

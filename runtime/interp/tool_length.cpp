@@ -53,7 +53,7 @@ Vec3 ToolInUse::wanted_lengths() const {
     };
     const bool goes_by_plane = rules_.length_axis == nc::LengthAxis::Plane;
     if (tool_offsets_.is_turning(number)) {
-        // Lengths of a machine's tool are told by their axes.
+        // Lengths of a machine's tool are given by their axes.
         const bool is_typed = tool_offsets_.type(number) != 0;
         const auto axes = path::axes_of(goes_by_plane && is_typed ? modal_.plane : path::Plane::Zx);
         put(axes.second, 1);

@@ -1,4 +1,4 @@
-// tool_motion.h — how the tool turns in a motion: the words of a block that orient it, and the
+// tool_motion.h — tool orientation in a motion: the words of a block that orient it, and the
 // rotary axes for them.
 #pragma once
 
@@ -9,7 +9,7 @@ namespace kadr::interp {
 struct Channel;
 class OrientPlanner;
 
-/// How the tool turns in a motion: the words of a block that orient it, and the rotary axes for
+/// Tool orientation in a motion: the words of a block that orient it, and the rotary axes for
 /// them.
 class ToolMotion {
   public:
@@ -17,21 +17,21 @@ class ToolMotion {
     ToolMotion(const ToolMotion&) = delete;
     ToolMotion& operator=(const ToolMotion&) = delete;
 
-    /// A word of the block that says how the tool stands; it counts with the block's motion.
+    /// A word of the block that orients the tool; it counts with the block's motion.
     void take_orientation(const nc::Block& block, const nc::Invocation& invocation,
                           Actions& actions);
-    /// What the block says of the tool, as rotary positions at its end and a way there.
+    /// What the block programs for the tool, as rotary positions at its end and a path there.
     Done orient(const nc::Block& block, const Actions& actions, Target& target);
-    /// What the end of the motion says of the tool, for its command and the blocks behind it.
+    /// What the end of the motion gives for the tool, for its command and the blocks behind it.
     void settle_orientation(Target& target);
-    /// What waited for the path of the block: along it the tool is led, or its end says how it
+    /// What waited for the path of the block: along it the tool is led, or its end gives how it
     /// stands.
     Done lay_directions(const nc::Block& block, const path::Curve& curve, Target& target);
-    /// The surface normals at start and end of the block, in the base system: nothing said is +Z,
-    /// one that is not said at the start goes on from the block before. S 7.3.
+    /// The surface normals at start and end of the block, in the base system: none programmed is
+    /// +Z, one that is not programmed at the start goes on from the block before. S 7.3.
     std::optional<std::array<path::Vec3, 2>> normals_of(const nc::Block& block,
                                                         const ToolWords& tool) const;
-    /// The rotary axes of the transformation go to places of their own. S 7.4 ORIRESET.
+    /// The rotary axes of the transformation go to positions of their own. S 7.4 ORIRESET.
     void reset_orientation(const nc::Block& block, const nc::Invocation& invocation);
     /// rad.
     machine::JointLimits joint_limits() const;
@@ -43,24 +43,24 @@ class ToolMotion {
     bool goes_straight(path::Op op) const;
     /// … the motion of a block.
     bool goes_straight(const nc::Block& block, const Actions& actions) const;
-    /// What has a path of its own has no place where axes go from point to point. S 14144.
+    /// What has a path of its own has no effect where axes go from point to point. S 14144.
     Done require_point_to_point_motion(const nc::Block& block, const Actions& actions);
     /// Which position of the rotary axes the block wants: `STAT` from here on, `TU` here. S 7.4.
     void choose_axes(const nc::Block& block, const nc::Invocation& invocation, ToolWords& tool);
-    /// The tool may turn as it is said beside a spline or a polynomial.
+    /// The tool may change its orientation as programmed beside a spline or a polynomial.
     Done require_orientation_along(const nc::Block& block, const ToolWords& tool);
-    /// What a pole of a B-spline says of the tool: a direction, or the one of the pole before it.
-    /// Nothing where no transformation turns the tool.
+    /// What a control point of a B-spline programs for the tool: a direction, or the one of the one
+    /// before. Nothing where no transformation orients the tool.
     Done orient_control_point(const nc::Block& block, const ToolWords& tool,
                               ControlPointBlock& control_point);
-    /// How the tool turns along a span, and where the rotary axes stand at its end: in `to` and in
-    /// the position, of which X, Y and Z are behind blocks that have been read meanwhile.
+    /// The tool orientation along a span, and where the rotary axes stand at its end: in `to` and
+    /// in the position, of which X, Y and Z are behind blocks that have been read meanwhile.
     ///
-    /// at  whose place messages show
+    /// at  whose location messages show
     Done orient_along(const nc::Block& at, const ControlPointBlock& control_point,
                       const path::Curve& span, AxisValues& to, OrientPlan& orientation);
-    /// What a block says of the tool, shared out to the pieces of its polynomial by their lengths:
-    /// the directions in which they end.
+    /// What a block programs for the tool, shared out to the pieces of its polynomial by their
+    /// lengths: the directions in which they end.
     Done share_orientation(const nc::Block& block, const ToolWords& tool,
                            const std::vector<double>& shares,
                            const std::vector<ControlPointBlock*>& pieces);

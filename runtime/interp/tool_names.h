@@ -1,5 +1,5 @@
 // tool_names.h — tools by their names: as the machine's table has them and as the program has
-// written them since, and tools of which the program says nothing but a name.
+// written them since, and tools of which the program gives nothing but a name.
 #pragma once
 
 #include <cstdint>

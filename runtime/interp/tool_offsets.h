@@ -33,7 +33,7 @@ class ToolOffsets {
         SecondBase,
         ThirdBase,
         Tip,   // 0 to 9, as in machine::ToolData
-        Type,  // 0: nobody has said it
+        Type,  // 0: nobody has given it
     };
 
     static constexpr std::int64_t kMostEdges = machine::kMostEdges;
@@ -47,7 +47,7 @@ class ToolOffsets {
     /// is_lathe  the machine is one, or the control is a lathe's
     ToolOffsets(const machine::Machine& machine, bool is_lathe);
 
-    /// The column that a quantity is of this offset.
+    /// The column that a system variable is of this offset.
     std::optional<Column> column_of(nc::SystemQuantity quantity, std::int64_t number) const;
     /// … that has this number among an edge's data, x of $TC_DPx; nothing: no length hangs on it.
     static std::optional<Column> column_of_datum(std::int64_t datum);
@@ -70,12 +70,12 @@ class ToolOffsets {
     bool give_number(std::int64_t tool, std::int64_t cutting_edge, std::int64_t number);
     /// The tool that has a number D, behind so many others that have it, too; 0: there is none.
     std::int64_t tool_with(std::int64_t number, std::int64_t passed) const;
-    /// The tool has lengths along X and Z: its type says so, or the machine is a lathe.
+    /// The tool has lengths along X and Z: its type has it so, or the machine is a lathe.
     bool is_turning(std::int64_t number) const;
     /// mm; 0 of an offset that nobody has set.
     double value(Column column, std::int64_t number) const;
     void set(Column column, std::int64_t number, double value);
-    /// Data on which nothing depends, by their numbers; 0 if nobody has said them.
+    /// Data on which nothing depends, by their numbers; 0 if nobody has given them.
     double datum(std::int64_t number, std::int64_t datum) const;
     void set_datum(std::int64_t number, std::int64_t datum, double value);
     /// What acts, geometry, wear and adapter, mm: length 1, 2 or 3.

@@ -70,7 +70,7 @@ std::optional<std::array<Vec3, 2>> ToolMotion::normals_of(const Block& block,
     return planner().normals_of(block, tool);
 }
 
-/// What the block's end says of the tool, for the command and for the blocks behind it.
+/// What the block's end gives for the tool, for the command and for the blocks behind it.
 void ToolMotion::settle_orientation(Target& target) {
     const Chain& chain = machine_.kinematics->chain;
     OrientPlan& orientation = target.orientation;
@@ -135,7 +135,7 @@ void ToolMotion::reset_orientation(const Block& block, const nc::Invocation& inv
                           false);
 }
 
-/// A motion under the transformation: the turn that waits, or the axes as they are programmed.
+/// A motion under the transformation: the orientation that waits, or the axes as programmed.
 void ToolMotion::put_orientation(path::Motion& motion, const OrientPlan* plan) {
     if (virtual_.axes.is_on()) {
         motion.orient_plainly(OrientKind::Axes);

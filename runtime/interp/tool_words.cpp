@@ -1,5 +1,5 @@
-// tool_words.cpp — what the words of a block say of the tool: which of them belong together, and
-// the direction that they mean.
+// tool_words.cpp — what the words of a block program for the tool: which of them belong together,
+// and the direction that they mean.
 #include <cmath>
 #include <numbers>
 
@@ -26,14 +26,14 @@ using path::Vec3;
 
 namespace {
 
-/// A lead or a tilt leans the tool out of the surface by less than this, deg.
+/// A lead or a tilt inclines the tool out of the surface by less than this, deg.
 constexpr double kMostLeadTilt = 90;
-/// … and a cone opens by no more, deg; a sign says another form of the same.
+/// … and a cone opens by no more, deg; a sign means another form of the same.
 constexpr double kMostOpening = 180;
 
 constexpr std::size_t kSpinAt = parameter_of<Function::ToolSpin>("at");
 
-/// A count that a form of the dialect says; what is none is beyond all of them.
+/// A count that a form of the dialect has; what is none is beyond all of them.
 std::size_t small_count(const Block& block, const nc::Invocation& invocation,
                         std::size_t parameter) {
     constexpr double kMost = 9;
@@ -233,7 +233,7 @@ Done OrientPlanner::require_no_idle_words(const Block& block, const ToolWords& t
     return kDone;
 }
 
-/// The rotation that the block's angles say, in the system in which they are said.
+/// The rotation that the block's angles give, in the system in which they are programmed.
 machine::Mat3 OrientPlanner::rotation_by_angles(const Vec3& angles_deg) const {
     const Vec3 angles = angles_deg * (std::numbers::pi / 180);
     switch (start_.modes.angles) {
@@ -245,8 +245,8 @@ machine::Mat3 OrientPlanner::rotation_by_angles(const Vec3& angles_deg) const {
     return machine::euler_zxz(angles);
 }
 
-/// How frames turn what is said of the tool into the base system. Scales stretch places, not
-/// directions. Under ORIMKS and its kin frames do nothing but where the table lies.
+/// How frames turn what is programmed for the tool into the base system. Scales stretch positions,
+/// not directions. Under ORIMKS and its kin frames do nothing but where the table lies.
 machine::Mat3 OrientPlanner::turn_into_base() const {
     machine::Mat3 rotation = machine::Mat3::Identity();
     if (start_.modes.is_in_base || frames_.is_shift()) return rotation;
@@ -255,8 +255,8 @@ machine::Mat3 OrientPlanner::turn_into_base() const {
     return rotation;
 }
 
-/// Whether frames mirror what is said of the tool: what goes by the right-hand rule about something
-/// goes the other way round then.
+/// Whether frames mirror what is programmed for the tool: what goes by the right-hand rule about
+/// something goes the other way round then.
 bool OrientPlanner::mirrors_words() const { return turn_into_base().determinant() < 0; }
 
 std::optional<Vec3> OrientPlanner::direction_in_base(const Block& block, const Vec3& programmed,

@@ -14,7 +14,7 @@ class Transformation {
     Transformation(const Transformation&) = delete;
     Transformation& operator=(const Transformation&) = delete;
 
-    /// Another member of the groups of the tool's turning and of its words.
+    /// Another member of the groups of orientation interpolation and of orientation words.
     void choose(nc::Function member);
     /// PTP, CP and PTPG0.
     void choose_point_to_point(nc::Function function);
@@ -25,7 +25,8 @@ class Transformation {
     /// tool at base position and the zeros of the rotary axes are the machine file's, and the axes
     /// follow them in the motion too. S 7.1.
     Done require_transformation(const nc::Block& block, const nc::Invocation& invocation);
-    /// The axes stay where they are; what changes is the system in which the tip is said. S 7.1.
+    /// The axes stay where they are; what changes is the system in which the tip is programmed.
+    /// S 7.1.
     void switch_transformation(const nc::Block& block, const nc::Invocation& invocation);
     /// The joints as the control counts its rotary axes 1 and 2. Of a head or a table alone axis 1
     /// carries axis 2; of both, axis 1 is the head's. S 6.5, 7.1.
@@ -34,7 +35,7 @@ class Transformation {
     Done require_no_spline(const nc::Block& block, nc::Function function);
     /// An axis that the transformation moves does not move by itself. S 7.1: 17610.
     Done require_no_lone_axis(const nc::Block& block, nc::SlotMask targets);
-    /// As a kind of tool length compensation: the place in the program stays, and X, Y and Z are
+    /// As a kind of tool length compensation: the position in the program stays, and X, Y and Z are
     /// from here on the tip in the workpiece as it lies now. F 4.7.
     void begin_length_transformation(const nc::Block& block, const nc::Invocation& invocation,
                                      Actions& actions);
@@ -42,7 +43,7 @@ class Transformation {
     /// length.
     void end_length_transformation(Actions& actions);
     /// Whether a machine's transformation takes the work offset off is a matter of its set-up: what
-    /// is said behind it acts on each. S 7.1. Said once, of the first motion.
+    /// is programmed behind it acts on each. S 7.1. Reported once, of the first motion.
     void check_offset_programmed(const nc::Block& block);
     /// What the control refuses while its transformation is a kind of tool length compensation.
     /// F 4.7: PS5421.
@@ -57,7 +58,7 @@ class Transformation {
     AxisValues machine_axes_at(const AxisValues& base) const;
     bool is_transformed() const { return orienting_.is_on || virtual_.axes.is_on(); }
 
-    /// The axes stand; the tip has another place in the base system.
+    /// The axes stand; the tip has another position in the base system.
     void take_position(const AxisValues& base);
 
   private:

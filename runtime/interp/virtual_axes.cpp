@@ -1,7 +1,7 @@
-// virtual_axes.cpp — programs that are told on a face, on a cylinder or across an inclined slide:
+// virtual_axes.cpp — programs of polar, cylindrical and inclined-axis coordinates:
 // how that begins and ends, what its words mean, and where the rotary axis stands behind a motion.
 //
-// The commands are in the virtual coordinates (path/virtual_axes.h); the axes on the way are
+// The commands are in the virtual coordinates (path/virtual_axes.h); the axes on the path are
 // motion's.
 #include <cmath>
 #include <limits>
@@ -63,8 +63,8 @@ Plane plane_of_cylinder(const VirtualAxes& axes) {
     return axes.rotary == Axis::C ? Plane::Yz : Plane::Xy;
 }
 
-/// Where the rotary axis counts as the axis around, the plane is said with it as X, Y or Z
-/// (No.1022). One of the two ways to say it has both axes in the other order.
+/// Where the rotary axis counts as the axis around, the plane is programmed with it as X, Y or Z
+/// (No.1022). One of the two ways to program it has both axes in the other order.
 bool is_turned_over(const VirtualAxes& axes, Plane programmed) {
     if (axes.kind != VirtualKind::Cylinder) return false;
     return programmed == (axes.rotary == Axis::B ? Plane::Yz : Plane::Zx);
@@ -187,7 +187,7 @@ void VirtualPlane::end_virtual(const Block& block) {
     take_virtual_position(path::real_position(was.axes, linear(position_.base())));
 }
 
-/// The axes stand; their places get other coordinates.
+/// The axes stand; their positions get other coordinates.
 void VirtualPlane::take_virtual_position(const Vec3& point) {
     channel_.transformation.take_position(path::with_linear(position_.base(), point));
 }
@@ -409,7 +409,7 @@ const Block* VirtualPlane::in_virtual(const Block& block) {
     return &around_;
 }
 
-/// The plane is that of the face or of the developed cylinder, however the program says it.
+/// The plane is that of the end face or of the developed cylinder, however it is programmed.
 void VirtualPlane::put_virtual_plane(Plane programmed) {
     const bool is_over = is_turned_over(virtual_.axes, programmed);
     if (is_over != virtual_.is_turned_over) modal_.move_by(turned_over(modal_.motion));

@@ -24,7 +24,7 @@ class VirtualPlane {
     const nc::Block* in_virtual(const nc::Block& block);
     /// From here on the rotary axis is followed through the commands that are put out.
     void follow_from_here();
-    /// Says in the commands that came out since it was last asked where the rotary axis is behind
+    /// Writes in the commands that came out since it was last asked where the rotary axis is behind
     /// them.
     void follow_rotary();
 
@@ -68,7 +68,7 @@ class VirtualPlane {
     const ProgrammedUnits& units_;
     const AxisData& axes_;
     Followed rotary_;
-    nc::Block around_{};  // a block whose rotary word has become a place around
+    nc::Block around_{};  // a block whose rotary word has become a coordinate around
 };
 
 }  // namespace kadr::interp

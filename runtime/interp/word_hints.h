@@ -18,7 +18,7 @@ std::string with_point(double value);
 /// behind a comma; empty: it does not.
 std::string hint_at_comma(const nc::DialectTables& tables, Axis axis, double value);
 
-/// What the dialect says about a code of a cycle that has no word of the cycle beside it: in
+/// What the dialect notes about a code of a cycle that has no word of the cycle beside it: in
 /// another system of G codes it may be something else, and was meant so. Empty: nothing.
 ///
 /// caller  the block with the code

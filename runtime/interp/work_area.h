@@ -7,11 +7,11 @@
 
 namespace kadr::interp {
 
-/// Limits of places in the base system, where the tool's tip is; S 3.6. Only axes of which a limit
-/// was said have one.
+/// Limits of positions in the base system, where the tool's tip is; S 3.6. Only axes of which a
+/// limit was programmed have one.
 class WorkArea {
   public:
-    /// A place beyond a limit.
+    /// A position beyond a limit.
     struct Excess {
         Axis axis = Axis::X;
         double at = 0;  // mm

@@ -24,7 +24,7 @@ namespace kadr::machine {
 using path::Vec3;
 using Mat3 = Eigen::Matrix3d;
 
-/// The places of the rotary joints in the chain; they index joints and rotary positions.
+/// The indices of the rotary joints in the chain; they index joints and rotary positions.
 inline constexpr std::size_t kR1 = 0;
 inline constexpr std::size_t kR2 = 1;
 inline constexpr std::size_t kPsi = 2;
@@ -104,21 +104,21 @@ struct AxisVectors {
     Vec3 start = Vec3::Zero();
 };
 
-/// Puts the points of R1 and R2 where the vectors say. With R1 alone, L1 + L2 leads to the tool's
+/// Puts the points of R1 and R2 where the vectors lead. With R1 alone, L1 + L2 leads to the tool's
 /// end.
 void place_by_vectors(Chain& chain, const AxisVectors& vectors);
 
 /// How the end position of a block is chosen among the turns and configurations; path_choice.h.
 enum class PathRule : std::uint8_t {
-    Shortest,        // AxiOMA 1: R1 only by its shortest way
-    LongInAxisMode,  // AxiOMA 2: R1 also the long way, if the axes are interpolated
-    LongAlways,      // AxiOMA 3: as 2; a vector block without a short way is run in axis mode
-    LeastTravel,     // SINUMERIK: least way of R1, then of R2
-    MasterFirst,     // FANUC: least way of the master, then of the slave, then nearest to 0
+    Shortest,        // AxiOMA 1: R1 only by its shortest travel
+    LongInAxisMode,  // AxiOMA 2: R1 also the long travel, if the axes are interpolated
+    LongAlways,      // AxiOMA 3: as 2; a vector block without a short travel is run in axis mode
+    LeastTravel,     // SINUMERIK: least travel of R1, then of R2
+    MasterFirst,     // FANUC: least travel of the master, then of the slave, then nearest to 0
     LeastSquares,    // least sum of squares over all turns within limits
 };
 
-/// What a machine file says about orientation.
+/// What a machine file gives about orientation.
 struct Kinematics {
     Chain chain;
     PathRule rule = PathRule::LongInAxisMode;

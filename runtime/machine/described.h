@@ -14,7 +14,7 @@ class Described {
   public:
     explicit Described(DiagnosticSink& sink) : sink_(sink) {}
 
-    /// What is described twice is reported with the place of the first description.
+    /// What is described twice is reported with the location of the first description.
     Done require_first(const std::string& what, const SourceRange& location) {
         const auto [first, is_new] = seen_.emplace(what, location);
         if (!is_new) {

@@ -1,7 +1,7 @@
-// described_machine.h — a whole machine file: the machine itself, and what it tells the programs
+// described_machine.h — a whole machine file: the machine itself, and what it gives the programs
 // that run on it.
 //
-// Motion needs the machine alone; what it tells is for who executes programs.
+// Motion needs the machine alone; what it gives is for who executes programs.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct MachineDatum {
 struct MachineData {
     std::vector<MachineDatum> data;          // in the order of the file
     std::map<std::string, Axis> axis_names;  // of axes as an index, besides AX1, X1 …
-    std::optional<ProbeScene> probe;         // what its touch probe meets, if the file says so
+    std::optional<ProbeScene> probe;         // what its touch probe meets, if the file has one
 };
 
 struct DescribedMachine {
@@ -32,7 +32,7 @@ struct DescribedMachine {
     MachineData data;
 };
 
-/// Loads a machine as `load_machine` does, with what it tells.
+/// Loads a machine as `load_machine` does, with what it gives.
 std::optional<DescribedMachine> load_described_machine(const std::string& name_or_file,
                                                        const SearchPath& folders, Sources& sources,
                                                        DiagnosticSink& sink);

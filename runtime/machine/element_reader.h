@@ -43,7 +43,7 @@ class ElementReader {
     std::optional<std::size_t> choice(std::string_view attribute,
                                       std::span<const std::string_view> words) const;
 
-    /// The place of the attribute's value; of the element if there is none.
+    /// The location of the attribute's value; of the element if there is none.
     SourceRange location(std::string_view attribute) const;
 
   private:

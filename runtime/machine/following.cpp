@@ -19,19 +19,19 @@ constexpr auto at(std::size_t joint) { return static_cast<Eigen::Index>(joint); 
 
 /// A limit may be missed by the rounding of a solution, rad.
 constexpr double kLimitSlack = 1e-9;
-/// Between two places that are looked at no joint turns farther, rad: beyond a limit between them
+/// Between two points that are looked at no joint turns farther, rad: beyond a limit between them
 /// it would be by less than the resolution of a rotary axis.
 constexpr double kMostTurn = 2 * kPi / 180;
-/// A way is looked at in so many steps at least, …
+/// A path is looked at in so many steps at least, …
 constexpr int kSteps = 64;
 /// … and in steps no finer than this part of it: there a pole is passed or an axis swings round.
 constexpr double kFinest = 1e-9;
-/// How finely the nearest place to a pole is looked for, in parts of the way.
+/// How finely the nearest point to a pole is looked for, in parts of the path.
 constexpr double kSamePlace = 1e-15;
 /// At the pole the solutions of both configurations are half a turn of R1 apart: one that is nearer
 /// than this is the nearer one, rad².
 constexpr double kSurelyNearest = 1;
-/// Leaving a pole, R1 is where it stands so far behind it at least, in parts of the way.
+/// Leaving a pole, R1 is where it stands so far behind it at least, in parts of the path.
 constexpr double kBehindPole = 1e-7;
 
 /// The value that differs by whole turns and is nearest.
@@ -51,7 +51,7 @@ double pole_distance(const Chain& chain, const Vec3& direction) {
     return std::min(tilt, kPi - tilt);
 }
 
-/// The place of the least distance to the pole between two places, by the golden section: the
+/// The point of the least distance to the pole between two others, by the golden section: the
 /// distance is a V where the pole is passed, which keeps all digits.
 double nearest_to_pole(const Chain& chain, const DirectionFunction& direction, double from,
                        double to) {
@@ -81,7 +81,7 @@ double nearest_to_pole(const Chain& chain, const DirectionFunction& direction, d
     return (from + to) / 2;
 }
 
-/// How far behind a pole, or behind the beginning, R1 has a meaning again: part of the way.
+/// How far behind a pole, or behind the beginning, R1 has a meaning again: part of the path.
 double distance_behind(const Chain& chain, const DirectionFunction& direction, double fraction) {
     double behind = kBehindPole;
     while (2 * behind < 1 - fraction && is_at_pole(chain, direction(fraction + behind)))
@@ -89,9 +89,9 @@ double distance_behind(const Chain& chain, const DirectionFunction& direction, d
     return behind;
 }
 
-/// A joint at a pole by two places behind it, the farther one twice as far. Where the axes are not
+/// A joint at a pole by two points behind it, the farther one twice as far. Where the axes are not
 /// square to each other, as those of a nutating head, R1 turns while the tool leaves the pole; what
-/// it does up to the nearer place would be seen as a jump.
+/// it does up to the nearer point would be seen as a jump.
 double led_back(double nearer, double farther) {
     return 2 * nearer - nearest_turn(farther, nearer);
 }
@@ -102,14 +102,14 @@ struct Refused {
     double value;
 };
 
-/// One way of following a course, which is refused or comes to an end.
+/// One way of following an orientation path, which is refused or comes to an end.
 class FollowingWalk {
   public:
     FollowingWalk(const Chain& chain, const FollowQuery& query,
                   const DirectionFunction& direction_along)
         : chain_(chain), query_(query), direction_(direction_along) {}
 
-    /// From a place of the course with given joints to another one.
+    /// From a point of the path with given joints to another one.
     std::optional<Refused> go(double from, double to, Vec3& joints) const {
         double step = (to - from) / kSteps;
         for (double f = from; f < to;) {
@@ -142,7 +142,7 @@ class FollowingWalk {
         return std::nullopt;
     }
 
-    /// R1 where the course leaves a pole, in both configurations, nearest to where it stands.
+    /// R1 where the path leaves a pole, in both configurations, nearest to where it stands.
     std::vector<Vec3> departures(double fraction, const Vec3& joints) const {
         std::vector<Vec3> found;
         const double behind = distance_behind(chain_, direction_, fraction);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// Both configurations meet where the sine of half their distance is below this. The distance grows
-/// with the root of an error of the direction, so that a smaller one says nothing; a direction
+/// with the root of an error of the direction, so that a smaller one has no meaning; a direction
 /// nearer to the axis R1 than the second number is a matter of the pole.
 constexpr double kMeeting = 1e-7;
 constexpr double kAwayFromPole = 1e-6;
@@ -74,7 +74,7 @@ bool is_head(const Chain& chain, std::size_t joint) {
     return chain.has(joint) && chain.joints[joint].side == ChainSide::Head;
 }
 
-/// The turns of all joints, absent ones at rest.
+/// The rotations of all joints, absent ones at rest.
 std::array<SineCosine, kJoints> turns_of(const Chain& chain, const Vec3& rotary) {
     std::array<SineCosine, kJoints> turns;
     for (std::size_t k = 0; k < kJoints; ++k) {
@@ -224,7 +224,7 @@ Opening opening_of(const OrientationTriangle& tilt, double sine, double cosine) 
 
 struct Candidate {
     double second = 0;  // angle of the second joint, without its sign
-    Vec3 image;         // the tool turned by it
+    Vec3 image;         // the tool rotated by it
 };
 
 /// The solution of one candidate, checked forwards.
@@ -376,7 +376,7 @@ Result<Solutions, ReachFault> solve(const Chain& chain, const Mat3& rotation) {
     if (!solutions || !chain.has(kPsi)) return solutions;
     Solutions with_spin = *solutions;
     const Vec3& z0 = chain.tool_direction;
-    // Any direction across the tool shows how far the tool has turned about itself.
+    // Any direction across the tool shows how far the tool has rotated about its axis.
     const Vec3 across = z0.unitOrthogonal();
     for (std::size_t i = 0; i < with_spin.count; ++i) {
         Solution& solution = with_spin.all[i];

@@ -33,10 +33,10 @@ struct Pose {
         Mat3::Identity();  // from base position; the tool's direction is its image of z0
 };
 
-/// The way from the end of the zero tool to the tip of a tool of this length at base position, mm.
+/// From the end of the zero tool to the tip of a tool of this length at base position, mm.
 Vec3 tip_of_length(const Chain& chain, double length);
 
-/// Matrix of the tool's turning, from base position into the workpiece system:
+/// Matrix of the tool's rotation, from base position into the workpiece system:
 /// R = Rot(n1, R1) · Rot(n2, R2) · Rot(z0, Ψ), with the signs of the joints.
 Mat3 rotation_of(const Chain& chain, const Vec3& rotary);
 
@@ -92,13 +92,13 @@ enum class ReachFault : std::uint8_t {
 /// returns    one or two solutions, configuration 1 first; each was checked forwards to 1e-9
 Result<Solutions, ReachFault> solve(const Chain& chain, const Vec3& direction);
 
-/// The same for a tool that must not turn about itself either: with Ψ for every solution.
+/// The same for a tool that must not rotate about its axis either: with Ψ for every solution.
 ///
 /// rotation  the wanted Pose::rotation; without a joint Ψ only its image of z0 counts
 Result<Solutions, ReachFault> solve(const Chain& chain, const Mat3& rotation);
 
-/// A solution at the pole with R1 at a given place, and Ψ turned against it so that the rotation is
-/// the same; any other solution as it is.
+/// A solution at the pole with R1 at a given position, and Ψ turned against it so that the rotation
+/// is the same; any other solution as it is.
 ///
 /// first  R1, rad
 Solution at_pole(const Chain& chain, const Solution& solution, double first);
@@ -121,8 +121,8 @@ double pole_angle_of(const Chain& chain, const Vec3& direction);
 /// circle, which must not pass the axis R1. Not reduced to a turn: a nutating head's R1 may turn by
 /// more than half of one.
 ///
-/// from, to  solutions of the same configuration, neither of them at the pole
-/// returns   rad
+/// from_rotary, to_rotary  solutions of the same configuration, neither of them at the pole
+/// returns                 rad
 double first_along_great_circle(const Chain& chain, const Vec3& from_rotary, const Vec3& to_rotary);
 
 /// Velocity of a tool in the workpiece system; of whatever parameter, time or length of path.

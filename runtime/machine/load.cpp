@@ -508,7 +508,7 @@ class MachineBuilder {
     Machine machine_;
     MachineData machine_data_;
     SourceRange laser_location_;
-    /// A further edge of a tool, and where the file says it.
+    /// A further edge of a tool, and where the file has it.
     struct EdgeLocation {
         std::int64_t tool = 0;
         std::int64_t edge = 0;
@@ -615,7 +615,7 @@ MachineSummary summary_of(const fs::path& file) {
     summary.name = file.stem().string();
     summary.file = file.string();
     Sources sources;
-    DiagnosticList unheard;  // `kadr machine check` tells what is wrong with a file
+    DiagnosticList unheard;  // `kadr machine check` reports what is wrong with a file
     if (const auto machine = load_machine(summary.file, {}, sources, unheard)) {
         summary.title = machine->title;
         for (const MachineAxis& axis : machine->axes) {

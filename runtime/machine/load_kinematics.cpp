@@ -61,7 +61,7 @@ class KinematicsReader {
   private:
     Chain& chain() { return kinematics_.chain; }
 
-    /// The place and the row of a mistake that makes the chain useless.
+    /// The location and the row of a mistake that makes the chain useless.
     template <typename Row>
     auto refuse(const Row& row, const SourceRange& location) {
         is_sound_ = false;
@@ -208,7 +208,7 @@ class KinematicsReader {
             return;
         }
         AxisVectors vectors;
-        // With one rotary axis the way from it to the tool is L2 alone.
+        // With one rotary axis the vector from it to the tool is L2 alone.
         if (joints_.size() == 2 && reader_.has("l1") != reader_.has("l2")) {
             const char* there = reader_.has("l1") ? "l1" : "l2";
             refuse(diag::KinematicsHalfVectors, reader_.location(there))
@@ -276,7 +276,7 @@ class KinematicsReader {
             case ChainFault::SpinWithoutPair:
                 sink_.report(diag::KinematicsSpinAlone, spin_->range);
                 return;
-            // The direction is the tool's own, whatever the file says.
+            // The direction is the tool's own, whatever the file gives.
             case ChainFault::SpinNotAlongTool: break;
         }
         KADR_ASSERT(false, "the rotation of the tool is about the tool");

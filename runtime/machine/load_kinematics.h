@@ -10,7 +10,7 @@
 
 namespace kadr::machine {
 
-/// Every mistake is reported with its place.
+/// Every mistake is reported with its location.
 ///
 /// axes     of the same file: the chain's are among them
 /// returns  nothing if the chain cannot be used; it has been reported why

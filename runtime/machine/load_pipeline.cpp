@@ -25,10 +25,10 @@ constexpr double kWhole = 1e-6;
 
 /// What a module may do with a command.
 enum class Serving : std::uint8_t {
-    Never,     // the way, the spindle and the end of the program are nobody else's
+    Never,     // the path, the spindle and the end of the program are nobody else's
     Time,      // takes time or switches something; may be left out
     Motion,    // moves the tool
-    ScanPath,  // … along a way that a beam can be led
+    ScanPath,  // … along a path that a beam can be led
 };
 
 Serving serving_of(Op op) {

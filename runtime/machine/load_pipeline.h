@@ -7,7 +7,7 @@
 
 namespace kadr::machine {
 
-/// Every mistake is reported with its place. Whether a module is linked into the program is not
+/// Every mistake is reported with its location. Whether a module is linked into the program is not
 /// known here: who runs it looks (process/command_modules.h).
 ///
 /// machine  everything else of the file, which the pipeline refers to

@@ -28,7 +28,7 @@ constexpr std::int64_t kLongestList = 1'000'000;
 
 // A determinant below this turns a field of a metre into a line of a thousandth of a millimetre.
 constexpr double kFlat = 1e-6;
-// Times and places that are written with a few decimals differ by less when they are meant alike.
+// Times and positions of a few decimals differ by less when they are meant alike.
 constexpr double kRounding = 1e-9;
 
 constexpr std::string_view kPolygonKinds[] = {"fixed", "turning"};

@@ -10,7 +10,7 @@
 
 namespace kadr::machine {
 
-/// Every mistake is reported with its place, those of the table in the table's file, which lies
+/// Every mistake is reported with its location, those of the table in the table's file, which lies
 /// beside the machine file or below its folder. Values that are wrong are replaced: the caller
 /// counts what was reported.
 Scanner read_scanner(const XmlElement& element, Sources& sources, DiagnosticSink& sink);

@@ -31,7 +31,7 @@ struct MachineAxis {
     double acceleration = 0;  // > 0
     double jerk = 0;          // > 0; infinite if not limited
     /// By how much its velocity may change in a tick at a corner, and its acceleration where the
-    /// curvature changes; > 0. Nothing said: acceleration · tick, jerk · tick.
+    /// curvature changes; > 0. Not given: acceleration · tick, jerk · tick.
     std::optional<double> corner_jump{};
     std::optional<double> curvature_jump{};
     double home = 0;  // reference point, where the axis stands at program start
@@ -82,9 +82,9 @@ struct Machine {
     std::string name;
     std::string title;
     double tick = 0.001;             // s, interpolation period, kShortestTick to kLongestTick
-    double corner_tolerance = 0.05;  // mm, of rounded corners if the program says none
-    double orientation_tolerance = rad_from_deg(0.05);  // rad, of the tool at rounded corners
-    double compressor_tolerance = 0.01;      // mm, of compressed lines if the program says none
+    double corner_tolerance = 0.05;  // mm, of corner blending if the program gives none
+    double orientation_tolerance = rad_from_deg(0.05);  // rad, of the tool at blended corners
+    double compressor_tolerance = 0.01;      // mm, of compressed lines if the program gives none
     double max_feed = 0;                     // mm/s, path; 0: no limit of its own
     double max_speed = 0;                    // rev/s of the first spindle; 0: no limit
     double orient_time = 0;                  // s, of the first spindle
@@ -114,7 +114,7 @@ struct Machine {
 using SearchPath = std::vector<std::string>;
 
 /// Loads a machine by name or by file; a text with a `/` or with the ending `.xml` is a file. Every
-/// mistake is reported with its place; nothing is returned then.
+/// mistake is reported with its location; nothing is returned then.
 std::optional<Machine> load_machine(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink);
 

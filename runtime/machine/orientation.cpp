@@ -52,7 +52,8 @@ OrientationArc arc_about(const Vec3& axis, const Vec3& start, double turn) {
     return arc;
 }
 
-/// Without a tool that leans, first and third turn about the same line: all of it in the third.
+/// Where the tool is not inclined, first and third turn about the same line: all of it in the
+/// third.
 Vec3 settled(const Vec3& angles, double sine) {
     if (sine >= kNoLength) return angles;
     const bool is_upright = std::abs(angles[1]) < kPi / 2;
@@ -60,11 +61,11 @@ Vec3 settled(const Vec3& angles, double sine) {
     return {0, angles[1], wrapped(third)};
 }
 
-/// Angles of Rz·Ry·Rz, and the other way to name them.
+/// Angles of Rz·Ry·Rz, and the other names of the same.
 AnglePair zyz_pair(const Mat3& r, double shift_first) {
     const double sine = std::hypot(r(0, 2), r(1, 2));
     const double second = std::atan2(sine, r(2, 2));
-    // In a matrix without a lean only its first column shows the turn.
+    // In a matrix without an inclination only its first column shows the rotation.
     const bool is_flat = sine < kNoLength;
     const double first = is_flat ? 0 : std::atan2(r(1, 2), r(0, 2));
     const double third = is_flat ? std::atan2(r(1, 0), r(2, 2) > 0 ? r(0, 0) : -r(0, 0))

@@ -26,18 +26,18 @@ enum class OrientationFault : std::uint8_t {
 /// The direction of a vector of any length; missing components are zeros.
 Result<Vec3, OrientationFault> unit_of(const Vec3& vector);
 
-/// Turns about Z, Y', Z'' (AxiOMA's Euler angles): R = Rz(first) · Ry(second) · Rz(third). The tool
-/// is (cos first · sin second, sin first · sin second, cos second).
+/// Rotations about Z, Y', Z'' (AxiOMA's Euler angles): R = Rz(first) · Ry(second) · Rz(third). The
+/// tool is (cos first · sin second, sin first · sin second, cos second).
 Mat3 euler_zyz(const Vec3& angles);
-/// Turns about Z, X', Z'' (SINUMERIK, ORIEULER A2, B2, C2): R = Rz(A2) · Rx(B2) · Rz(C2).
+/// Rotations about Z, X', Z'' (SINUMERIK, ORIEULER A2, B2, C2): R = Rz(A2) · Rx(B2) · Rz(C2).
 Mat3 euler_zxz(const Vec3& angles);
 /// Roll, pitch, yaw about Z, Y', X'' (ORIRPY; A2, B2, C2 are the angles about X, Y, Z):
 /// R = Rz(C2) · Ry(B2) · Rx(A2).
 Mat3 rpy_zyx(const Vec3& angles);
-/// Turns about X, Y', Z'' (ORIRPY2): R = Rx(A2) · Ry(B2) · Rz(C2).
+/// Rotations about X, Y', Z'' (ORIRPY2): R = Rx(A2) · Ry(B2) · Rz(C2).
 Mat3 rpy_xyz(const Vec3& angles);
 
-/// Two ways to name the same orientation, in (−π, π].
+/// Two names of the same orientation, in (−π, π].
 using AnglePair = std::array<Vec3, 2>;
 
 /// Angles of a rotation, the second angle ≥ 0 first. Where the second is 0 or π only the sum or the
@@ -53,7 +53,7 @@ struct Varying {
     Vec3 rate = Vec3::Zero();
 };
 
-/// The direction of a changing vector and how it turns; e.g. of the difference of two curves,
+/// The direction of a changing vector and how it changes; e.g. of the difference of two curves,
 /// ORICURVE.
 Result<Varying, OrientationFault> unit_of(const Varying& vector);
 
@@ -61,13 +61,13 @@ using path::TiltAbout;
 using LeadTilt = path::LeadTiltAngles;
 
 /// The tool by its angles to a surface: the tangent is first brought into the surface, t' = unit(t
-/// − (t·n)n); LEAD leans the normal towards t', TILT turns the result about t' or n.
+/// − (t·n)n); LEAD inclines the normal towards t', TILT turns the result about t' or n.
 ///
 /// tangent, normal  of any length; their rates may be zero
 Result<Varying, OrientationFault> by_lead_tilt(const Varying& tangent, const Varying& normal,
                                                const LeadTilt& angles);
 
-/// LEAD and TILT of a direction; the way back. At LEAD = 0 about the normal TILT is 0.
+/// LEAD and TILT of a direction; the inverse. At LEAD = 0 about the normal TILT is 0.
 ///
 /// tangent, normal  unit vectors at right angles
 LeadTilt lead_tilt_of(const Vec3& direction, const Vec3& tangent, const Vec3& normal,
@@ -86,7 +86,7 @@ struct OrientationArc {
     double spin_change = 0;       // … and to the end
 };
 
-/// Place on an arc, and derivatives by the fraction of the path.
+/// Point on an arc, and derivatives by the fraction of the path.
 struct OrientationPoint {
     Vec3 direction = Vec3::UnitZ();
     Vec3 rate = Vec3::Zero();     // dw/df
@@ -98,7 +98,7 @@ struct OrientationPoint {
 /// fraction  0 … 1 of the path
 OrientationPoint at(const OrientationArc& arc, double fraction);
 
-/// Length of the way that the direction goes, rad.
+/// Length of the path of the direction, rad.
 double length_of(const OrientationArc& arc);
 
 /// The shorter great circle, ORIVECT. start, end: unit vectors, as in all of the following.
@@ -112,7 +112,7 @@ Result<OrientationArc, OrientationFault> cone_about(const Vec3& start, const Vec
                                                     const Vec3& axis, ConeSense sense,
                                                     double tolerance);
 
-/// Cone with a given full opening angle, NUT, by its shorter turn (motion.md 6.2).
+/// Cone with a given full opening angle, NUT, by its shorter rotation (motion.md 6.2).
 Result<OrientationArc, OrientationFault> cone_of_opening(const Vec3& start, const Vec3& end,
                                                          double opening, ConeSense sense);
 

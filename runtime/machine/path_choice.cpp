@@ -19,7 +19,7 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kLimitSlack = 1e-9;
 /// R1 stands if it would turn by less, rad: vectors in programs have six digits and more.
 constexpr double kUnchanged = 1e-7;
-/// Ways that differ by less are equal, rad and rad².
+/// Travels that differ by less are equal, rad and rad².
 constexpr double kEqualTravel = 1e-9;
 /// Distance of the points at which a great circle is held against the limits, rad. Between them an
 /// axis leaves the parabola through three of them by less than the resolution of a rotary axis.
@@ -76,7 +76,7 @@ struct Candidate {
     bool switches_at_pole;
 };
 
-/// At most two ways of R1 in each of both configurations.
+/// At most two travels of R1 in each of both configurations.
 struct Candidates {
     std::array<Candidate, 4> all;
     std::size_t count = 0;
@@ -112,7 +112,7 @@ class Choice {
 
   private:
     /// Where the tool stands at the pole and is to follow a great circle, R1 turns to the direction
-    /// of its way at standstill, and any turn will do.
+    /// of its path at standstill, and any turn will do.
     bool can_unwind(PathMode mode) const {
         return mode == PathMode::Vector && chain_.orients() && starts_at_pole_ && !ends_at_pole_;
     }
@@ -198,7 +198,7 @@ class Choice {
         return {fault, joint, nearest_turn(angle, query_.start[at(joint)]), query_.limits[joint]};
     }
 
-    /// Adds the ways into a configuration that are admissible (steps 1 and 2), or says why none is.
+    /// Adds the admissible travels into a configuration (steps 1 and 2), or tells why none is.
     std::optional<CandidateRefusal> consider(const Solution& wanted, PathMode mode) {
         Vec3 end = wanted.rotary;
         if (const auto refused = place(end, kR2, CandidateFault::SecondOutside)) return refused;
@@ -268,7 +268,7 @@ class Choice {
         return CandidateRefusal{CandidateFault::LimitOnPath, kR2, value, query_.limits[kR2]};
     }
 
-    /// Both ends may be within the limits and the way between them not.
+    /// Both ends may be within the limits and the travel between them not.
     std::optional<CandidateRefusal> check_travel(const Vec3& end) const {
         const Vec3 from = tool_vector(chain_, query_.start);
         const double angle =
@@ -299,7 +299,7 @@ class Choice {
         return std::nullopt;
     }
 
-    /// R1 on either side of its start; the long way only where the rule admits it.
+    /// R1 on either side of its start; the long travel only where the rule admits it.
     std::optional<CandidateRefusal> travels_of_first(Vec3 end, int configuration, bool follows) {
         const double start = query_.start[kR1];
         const double target = end[kR1];

@@ -2,7 +2,7 @@
 //
 // AxiOMA's five steps with the three options (axioma.md 5, made exact in motion.md 5.3), and the
 // rules of SINUMERIK, FANUC and the plain least sum of squares. A refusal carries every reason with
-// its values: the interpreter, who knows the control and the place, words the alarm.
+// its values: the interpreter, who knows the control and the location, words the alarm.
 #pragma once
 
 #include <array>
@@ -49,21 +49,22 @@ enum class PathReason : std::uint8_t {
     OnlyOne,       // nothing else was admissible
     PoleSwitch,    // step 4: R2 alone turns, through the pole into the other configuration
     LeastSquares,  // step 5
-    LeastFirst,    // least way of R1, or of FANUC's master
-    LeastSecond,   // equal ways there: least way of the other one
-    Tie,  // equal all over: present configuration, configuration 1, nearest to 0, positive way
+    LeastFirst,    // least travel of R1, or of FANUC's master
+    LeastSecond,   // equal travel there: least travel of the other one
+    Tie,           // equal all over: present configuration, configuration 1, nearest to 0, positive
+                   // direction
 };
 
 struct PathEnd {
     Vec3 rotary = Vec3::Zero();  // rad, with whole turns; continues from the start
     int configuration = 1;
     PathMode mode = PathMode::Axis;  // as asked, or Axis where LongAlways replaced it
-    bool is_long = false;            // R1 takes more than its shortest way
+    bool is_long = false;            // R1 takes more than its shortest travel
     /// In vector mode: the great circle passes the pole of R1. R1 stands if the configuration
     /// changes, else the motion stops there and R1 turns.
     bool passes_pole = false;
     bool switches_at_pole = false;  // the configuration changes and R1 stands
-    double sum_squares = 0;         // of the ways of R1, R2 and Ψ, rad²
+    double sum_squares = 0;         // of the travels of R1, R2 and Ψ, rad²
     PathReason reason = PathReason::OnlyOne;
 };
 
@@ -73,7 +74,7 @@ enum class CandidateFault : std::uint8_t {
     FirstOutside,        // no turn of R1 is within its limits
     SecondOutside,       // no turn of R2 is
     SpinOutside,         // no turn of Ψ is
-    OnlyLongTravel,      // R1 could get there by a longer way, which the rule does not admit
+    OnlyLongTravel,      // R1 could get there by longer travel, which the rule does not admit
     OtherConfiguration,  // the great circle does not lead into this configuration
     LimitOnPath,         // an axis leaves its limits between start and end of the great circle
 };

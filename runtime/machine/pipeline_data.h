@@ -1,8 +1,8 @@
-// pipeline_data.h — what a machine file says about the way from a command to a setpoint.
+// pipeline_data.h — what a machine file gives for the path from a command to a setpoint.
 //
 // Which module serves which command, how far each of the three stages (translate ahead,
 // interpolate, output) may run ahead of the next one, and what is put out. Data only. None of the
-// stages' numbers changes a result: they say how much is done in one go and may wait.
+// stages' numbers changes a result: they set how much is done in one go and may wait.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct ModuleRow {
 
 /// What one stage does in one go, and how many goes may wait for the next stage.
 struct PipelineStage {
-    double period = 0;      // s of motion; 0: the batch alone says when it is handed on
+    double period = 0;      // s of motion; 0: the batch alone sets when it is handed on
     std::size_t batch = 0;  // pieces or setpoints at most, > 0
     std::size_t queue = 4;  // > 0; of the output none, it is the last
 };

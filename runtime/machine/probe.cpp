@@ -80,8 +80,8 @@ std::optional<double> first_touch(const ProbeScene& scene, const Vec3& from, con
         if (gap_at(distance) <= gap) return 0;
         gap = gap_at(distance);
     }
-    // No step is longer than the gap, so nothing is stepped over; on a way along a face steps would
-    // become ever smaller, so none is below a hundredth of a micrometre.
+    // No step is longer than the gap, so nothing is stepped over; on a path along a face steps
+    // would become ever smaller, so none is below a hundredth of a micrometre.
     constexpr double kLeastStep = 1e-5;
     while (distance < length) {
         const double next = std::min(distance + std::max(gap, kLeastStep), length);

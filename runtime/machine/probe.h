@@ -1,5 +1,5 @@
 // probe.h — where a touch probe meets something: solids of the set-up, and the first contact of its
-// ball on a straight way.
+// ball on a straight path.
 //
 // Geometry alone; which motions probe and what becomes of a touch is the interpreter's matter.
 #pragma once
@@ -49,7 +49,7 @@ struct ProbeScene {
 /// two surfaces of different solids are near alike.
 double distance_to_material(const ProbeScene& scene, const path::Vec3& point);
 
-/// The part of a straight way, 0 to 1, at which a ball on it first meets the material. Who begins
+/// The part of a straight path, 0 to 1, at which a ball on it first meets the material. Who begins
 /// at the material and leaves it does not meet it. Nothing: it never does.
 ///
 /// from, to  centre of the ball, mm, in the coordinates of the scene
@@ -60,7 +60,7 @@ std::optional<double> first_touch(const ProbeScene& scene, const path::Vec3& fro
 std::optional<double> first_release(const ProbeScene& scene, const path::Vec3& from,
                                     const path::Vec3& to, double radius);
 
-/// `<probe>` of a machine file. Every mistake is reported with its place.
+/// `<probe>` of a machine file. Every mistake is reported with its location.
 ProbeScene read_probe(const XmlElement& element, DiagnosticSink& sink);
 
 }  // namespace kadr::machine

@@ -1,4 +1,4 @@
-// process_data.h — what a machine file says about the process: drives, cutting load, laser.
+// process_data.h — what a machine file gives for the process: drives, cutting load, laser.
 //
 // Data only. The models that use them are process/'s; here stands what each number means and its
 // unit. Electrical and mechanical quantities of drives are in SI units.

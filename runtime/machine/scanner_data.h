@@ -1,7 +1,7 @@
-// scanner_data.h — what a machine file says about a galvanometer scanner.
+// scanner_data.h — what a machine file gives for a galvanometer scanner.
 //
-// Data only: two mirrors that lead the beam over a square field below a lens, beside the axes. What
-// a scanner does with it is process/scanner.h's.
+// Data only: two mirrors that guide the beam over a square field below a lens, beside the axes.
+// What a scanner does with it is process/scanner.h's.
 #pragma once
 
 #include <array>
@@ -43,8 +43,8 @@ struct Scanner {
     double step = 1e-5;  // s, > 0; motions and delays last a whole number of it
     ScannerDelays delays;
     double pulse = 0;                             // Hz, while the beam is on; 0: continuous
-    std::array<double, 4> matrix = {1, 0, 0, 1};  // by rows; place = stage + matrix · field
-    FieldGrid correction;                         // what is added to a place in the field
+    std::array<double, 4> matrix = {1, 0, 0, 1};  // by rows; position = stage + matrix · field
+    FieldGrid correction;                         // what is added to a point of the field
     double chord_tolerance = 0.002;               // mm, > 0; of curves as short vectors
     std::size_t list_size = 4000;                 // commands in one list, at least 1
 };

@@ -10,7 +10,7 @@
 
 namespace kadr::machine {
 
-/// Whether setpoints tell of pulses: of the laser at the axes, or of the scanner's.
+/// Whether setpoints carry pulses: of the laser at the axes, or of the scanner's.
 bool has_pulses(const Machine& machine);
 
 /// `t,<machine axes…>,tip_x,tip_y,tip_z,tool_i,tool_j,tool_k,feed,iso`, and of a laser `pulse` or

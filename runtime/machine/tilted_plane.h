@@ -2,7 +2,7 @@
 // them: three linear axes cut, the others hold (3+2).
 //
 // How a plane lies is a matrix: its columns are X, Y and Z of the plane in the system in which it
-// is said. Words and signs of controls are the interpreter's; choosing among turns is
+// is programmed. Words and signs of controls are the interpreter's; choosing among turns is
 // path_choice.h's.
 #pragma once
 
@@ -14,16 +14,16 @@
 
 namespace kadr::machine {
 
-/// A turn about a linear axis, rad, right-handed.
+/// A rotation about a linear axis, rad, right-handed.
 struct AxisRotation {
     Axis axis = Axis::X;
     double angle = 0;
 };
 
-/// Turns one after the other, each about the axis as the former ones have left it: CYCLE800 axis by
-/// axis, AROT.
+/// Rotations one after the other, each about the axis as the former ones have left it: CYCLE800
+/// axis by axis, AROT.
 Mat3 turned_in_order(std::span<const AxisRotation> turns);
-/// The same about axes that stay: the first turn acts first. Roll, pitch, yaw of G68.2 P1.
+/// The same about axes that stay: the first rotation acts first. Roll, pitch, yaw of G68.2 P1.
 Mat3 turned_about_fixed(std::span<const AxisRotation> turns);
 
 /// Angles of projections (CYCLE800, G68.2 P4; motion.md 7.2): the new X axis stays in the Z-X
@@ -80,13 +80,13 @@ struct SwivelQuery {
     JointLimits limits;
     PathRule rule = PathRule::LongInAxisMode;
     /// −1, +1: the solution with the lower, higher value of the reference joint in (−π, π], or the
-    /// other one where limits forbid it; CYCLE800's _DIR. 0: as the rule says.
+    /// other one where limits forbid it; CYCLE800's _DIR. 0: by the rule.
     int sense = 0;
     std::size_t reference = kR2;
 };
 
-/// The end of a swivel: every joint by the turn that is nearest to its start within the limits; R1
-/// stays where it is if the tool stands along it.
+/// The end of a swivelling: every joint by the turn that is nearest to its start within the limits;
+/// R1 stays where it is if the tool stands along it.
 Result<Vec3, PathRefusal> choose_swivel(const Chain& chain, const SwivelQuery& query);
 
 }  // namespace kadr::machine

@@ -40,7 +40,8 @@ const nc::Form* ActiveCodes::form(std::size_t group) const {
             (!form.fixed.empty() && form.fixed[0].second == dialect_.first_work_offset());
         if (is_first_offset) return &form;
     }
-    // Nothing of the group was said, and nothing acts by itself: what the file calls its default.
+    // Nothing of the group was programmed, and nothing acts by itself: what the file calls its
+    // default.
     for (const nc::Form& form : tables_.forms) {
         if (form.group != static_cast<int>(group) || !form.is_read) continue;
         const bool is_offset = form.function == nc::Function::WorkOffset && !form.fixed.empty() &&
@@ -64,7 +65,7 @@ std::optional<double> ActiveCodes::number(std::int64_t group_number) const {
     if (!group) return std::nullopt;
     const nc::Form* acting = form(*group);
     if (acting == nullptr) {
-        // Of codes on which nothing depends the first one acts before any was said.
+        // Of codes on which nothing depends the first one acts before any was programmed.
         const auto first = std::ranges::find_if(tables_.forms, [&](const nc::Form& other) {
             return other.group == static_cast<int>(*group) && other.is_read;
         });
@@ -86,7 +87,7 @@ std::optional<std::int64_t> ActiveCodes::place(std::int64_t group_number) const 
 }
 
 std::int64_t ActiveCodes::place_in(const nc::CodeList& list, std::size_t group) const {
-    // A code that is no modal function of the vocabulary acts since it was said.
+    // A code that is no modal function of the vocabulary acts since it was programmed.
     const nc::FormId last = modes_.last_form(group);
     const bool is_given =
         last != nc::kNoForm && info(tables_.forms[last].function).group == nc::Group::NonModal;

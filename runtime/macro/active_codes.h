@@ -1,4 +1,4 @@
-// active_codes.h — the code that acts of each modal group, as variables and traces tell it.
+// active_codes.h — the code that acts of each modal group, as variables and traces show it.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace kadr::macro {
 
-/// Groups are those of the dialect, by their places in its tables, or by the numbers that the
+/// Groups are those of the dialect, by their indices in its tables, or by the numbers that the
 /// control gives them.
 class ActiveCodes {
   public:
@@ -24,7 +24,7 @@ class ActiveCodes {
     /// The number of the code that acts of the group with this number: 2 for `G02`. Nothing: there
     /// is no such group, or no code of it acts.
     std::optional<double> number(std::int64_t group_number) const;
-    /// The place of that code in the list of the group, from 1 on, 0 if none acts; nothing: the
+    /// The index of that code in the list of the group, from 1 on, 0 if none acts; nothing: the
     /// group has no list.
     std::optional<std::int64_t> place(std::int64_t group_number) const;
     /// The same in the list of this group.

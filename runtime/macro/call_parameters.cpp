@@ -173,7 +173,7 @@ Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedurePa
 }
 
 /// For who looks on: the parameter has the value of the caller's variable, and what the variable
-/// was before the call is told when it returns.
+/// was before the call is reported when it returns.
 void CallParameters::note_reference(const nc::Symbol& symbol,
                                     const ControlVariables::VariableRef& variable) {
     if (!run_.variables.notes_changes() || symbol.dimensions > 0) return;

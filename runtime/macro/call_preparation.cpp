@@ -267,11 +267,11 @@ Outcome CallPreparation::prepare_list(CompiledLine& line, const nc::Call& words,
     return Outcome::Nothing;
 }
 
-/// A line that says the parameters of another program must say what its head says.
+/// A line that declares the parameters of another program must declare what its head does.
 Outcome CallPreparation::check_external(CompiledLine& line, const ControlStatement& statement) {
     externals_.insert(statement.name);
     const ProgramUnit* const unit = run_.units.find(statement.name, run_.text());
-    // Told where it is called.
+    // Reported where it is called.
     if (unit == nullptr || unit->has_wrong_head) return Outcome::Nothing;
     static const std::vector<nc::ProcedureParameter> kNone;
     const auto& wanted = unit->procedure() != nullptr ? unit->procedure()->parameters : kNone;

@@ -28,13 +28,13 @@ class CallPreparation {
     Outcome prepare(CompiledLine& line, const nc::ControlStatement& statement, PreparedCall& out);
     /// Arguments by letters set variables of the level that the macro gets.
     Outcome prepare_letters(CompiledLine& line, const nc::Call& call, PreparedCall& out);
-    /// Arguments of a list, by their places.
+    /// Arguments of a list, by their positions.
     Outcome prepare_list(CompiledLine& line, const nc::Call& call, PreparedCall& out);
     /// A number of a call; nothing: it is not given.
     Outcome number_of(CompiledLine& line, const nc::CallValue& value, std::optional<double>& out);
     /// Of lines that are only read: whether there is such a program at all.
     void check_call(CompiledLine& line, const nc::ControlStatement& statement);
-    /// A line that says the parameters of another program must say what its head says.
+    /// A line that declares the parameters of another program must declare what its head does.
     Outcome check_external(CompiledLine& line, const nc::ControlStatement& statement);
 
   private:

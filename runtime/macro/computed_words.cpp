@@ -58,7 +58,7 @@ Outcome ComputedWords::read(CompiledLine& line, Block& out) {
             is_fine_round ? nc::value_decimals(run_.tables, run_.lines.modes().units(), code, i)
                           : -1);
         if (!goes_on(done)) return done;
-        // An axis among the arguments of a call is said by its number, X by -1.
+        // An axis among the arguments of a call is given by its number, X by -1.
         const bool is_axis_argument = value.axis() && code.computed[i].argument >= 0;
         if (is_axis_argument && axis_argument == nullptr) axis_argument = &code.computed[i];
         if (!value.is_number() && !value.is_text() && !is_axis_argument) {
@@ -82,7 +82,7 @@ Outcome ComputedWords::read(CompiledLine& line, Block& out) {
     return has_lone ? let_axis_move_alone(line, out) : Outcome::Block;
 }
 
-/// An axis that moves by itself goes straight to its place and arrives before the next block. Of
+/// An axis that moves by itself goes straight to its position and arrives before the next block. Of
 /// several each goes as fast as it can, so they do not stay on a line; where they come to is the
 /// same.
 Outcome ComputedWords::let_axis_move_alone(CompiledLine& line, Block& out) {
@@ -156,7 +156,7 @@ Outcome ComputedWords::set_axes(CompiledLine& line) {
     return Outcome::Nothing;
 }
 
-/// Words that name a code by its group and its place there become that code.
+/// Words that name a code by its group and its index there become that code.
 Outcome ComputedWords::set_codes(CompiledLine& line) {
     for (const nc::ComputedCode& computed : line.line.codes) {
         Value group;

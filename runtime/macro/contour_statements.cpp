@@ -19,7 +19,7 @@ using nc::Statement;
 
 namespace {
 
-/// `L` along the outside, `G` along the inside, `P` a face outside, `N` a face inside.
+/// `L` along the outside, `G` along the inside, `P` facing outside, `N` facing inside.
 std::optional<ContourCut> cut_of(std::string_view kind) {
     if (kind.size() != 1) return std::nullopt;
     switch (kind[0]) {
@@ -152,7 +152,7 @@ Outcome ContourStatements::end(CompiledLine& line, const ControlStatement& state
         fill(prepared->rows);
         run_.variables.set_number(open.undercuts, 0, prepared->undercuts);
     }
-    // What is wrong with a contour is an alarm here, so that this never says an error (unsure).
+    // What is wrong with a contour is an alarm here, so that this never reports an error (unsure).
     return run_.store(line, statement.variable, Value::of(0, nc::ValueType::Int));
 }
 
@@ -199,7 +199,7 @@ Outcome ContourStatements::run_row(CompiledLine& line, const ControlStatement& s
         out.set(to, element->shape.to[k] * unit);
         out.absolute |= bit(to);
         if (!is_arc) continue;
-        // A place of a centre is a diameter where words of the axis are.
+        // A position of a centre is a diameter where words of the axis are.
         const double factor =
             run_.interpreter->word_factor(-static_cast<std::int64_t>(axes[i]) - 1);
         out.set(center, element->shape.center[k] * unit * factor);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kSameLevel = 1e-6;  // mm, inches
 /// Behind the last rise there is no further undercut.
 constexpr double kNoFurther = -1111;
-constexpr std::size_t kLeastElements = 3;  // the way to the first point included (unsure)
+constexpr std::size_t kLeastElements = 3;  // the path to the first point included (unsure)
 
 bool is_full_circle(const ContourElement& element) {
     constexpr double kWhole = 2 * std::numbers::pi - 1e-9;
@@ -76,7 +76,7 @@ class Heights {
     double sign_;
 };
 
-/// Angle between an element and the abscissa, of faces the ordinate: degrees, below 180; of an arc
+/// Angle between an element and the abscissa, in facing the ordinate: degrees, below 180; of an arc
 /// the greatest one, to 180.
 double steepest(const Element& shape, bool is_face) {
     if (path::length(shape) < path::kSamePoint) return 0;
@@ -248,7 +248,7 @@ Result<PreparedContour, ContourFault> prepared_contour(std::span<const ContourEl
     for (std::int64_t i = count; cut.both_ways && i >= 1; --i)
         backwards.add(reversed(elements[static_cast<std::size_t>(i)]), last - i);
     backwards.close();
-    // Behind the rows forwards one tells how many undercuts there are.
+    // Behind the rows forwards one counts how many undercuts there are.
     const std::int64_t counts = forwards.next_row();
     if (counts > (cut.both_ways ? backwards.next_row() : last)) return ContourFault::TableTooSmall;
 

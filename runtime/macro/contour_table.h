@@ -16,7 +16,7 @@
 
 namespace kadr::macro {
 
-/// What acted in the block of an element, as tables tell it by digits. Each is the place of the
+/// What acted in the block of an element, as tables give it by digits. Each is the index of the
 /// code in the list of its group, from 0.
 struct ContourModes {
     bool is_incremental = false;
@@ -33,14 +33,14 @@ struct ContourElement {
     path::Element shape;
     bool is_rapid = false;
     ContourModes modes;
-    double feed = 0;  // in the unit of its mode; 0: none was said
+    double feed = 0;  // in the unit of its mode; 0: none was programmed
 };
 
-/// What the control says of a contour that was read: mm, degrees; the units of its modes are those
-/// of the text, and the program's to say.
+/// What the control has of a contour that was read: mm, degrees; the units of its modes are those
+/// of the text, and the program's to give.
 using ContourElements = std::vector<ContourElement>;
 
-/// How the material in front of a contour is to be taken away: it tells what an undercut is.
+/// How the material in front of a contour is to be taken away: it defines what an undercut is.
 struct ContourCut {
     bool is_face = false;    // the infeed goes along the abscissa, else along the ordinate …
     bool is_inside = false;  // … in the positive direction, else in the negative one
@@ -58,7 +58,7 @@ using ContourRow = std::array<double, kContourColumns>;
 inline constexpr std::size_t kCodedColumns = 6;
 using CodedRow = std::array<double, kCodedColumns>;
 
-/// A row with its place in the table.
+/// A row with its index in the table.
 template <typename Row>
 struct RowAtNumber {
     std::size_t index = 0;
@@ -70,13 +70,13 @@ struct PreparedContour {
     int undercuts = 0;                          // forwards
 };
 
-/// The chained table of a contour. Row 0 is the way to its first point. Each element has the row of
-/// its number, and what elements are divided into besides (arcs where they are highest or lowest,
-/// elements that rise past the level at which an undercut has begun) the rows behind; a contour
-/// that ends below such a level is closed by elements that rise to it. Backwards the same stands
-/// from the last row on.
+/// The chained table of a contour. Row 0 is the path to its first point. Each element has the row
+/// of its number, and what elements are divided into besides (arcs where they are highest or
+/// lowest, elements that rise past the level at which an undercut has begun) the rows behind; a
+/// contour that ends below such a level is closed by elements that rise to it. Backwards the same
+/// stands from the last row on.
 ///
-/// elements  the way to the first point, which may have no length, then the contour; each begins
+/// elements  the path to the first point, which may have no length, then the contour; each begins
 ///           where the one before ends
 /// rows      of the table
 /// source    S 8.4 CONTPRON: columns, both example tables. Which rows are marked in column 7, and
@@ -84,17 +84,17 @@ struct PreparedContour {
 Result<PreparedContour, ContourFault> prepared_contour(std::span<const ContourElement> elements,
                                                        const ContourCut& cut, std::size_t rows);
 
-/// The coded table of a contour, element by element as it was said: row 0 the point where it
+/// The coded table of a contour, element by element as it was programmed: row 0 the point where it
 /// begins.
 ///
 /// source  S 8.4 CONTDCON: columns and example table
 Result<std::vector<RowAtNumber<CodedRow>>, ContourFault> coded_contour(
     std::span<const ContourElement> elements, std::size_t rows);
 
-/// What a row of a chained table says; nothing: its code is none, or its arc has no radius.
+/// What a row of a chained table gives; nothing: its code is none, or its arc has no radius.
 std::optional<ContourElement> element_of(const ContourRow& row);
 
-/// The point that two elements have in common; of several the first one on the way along `a`.
+/// The point that two elements have in common; of several the first one on the path along `a`.
 std::optional<path::Vec2> common_point(const ContourElement& a, const ContourElement& b);
 
 }  // namespace kadr::macro

@@ -16,22 +16,22 @@ namespace kadr::macro {
 class ControlAccess {
   public:
     virtual ~ControlAccess() = default;
-    /// A quantity as it is behind the blocks that were pulled so far; mm, deg, mm/min, rpm. An axis
-    /// is counted from 1 as the machine has them, or named: −1 for X, −2 for Y … Nothing: the
-    /// quantity does not exist for these indices.
+    /// A system variable as it is behind the blocks that were pulled so far; mm, deg, mm/min, rpm.
+    /// An axis is counted from 1 as the machine has them, or named: −1 for X, −2 for Y … Nothing:
+    /// the variable does not exist for these indices.
     virtual std::optional<double> quantity(nc::SystemQuantity quantity, std::int64_t first,
                                            std::int64_t second) = 0;
-    /// What became of a quantity that was to be set.
+    /// What became of a system variable that was to be set.
     enum class Write : std::uint8_t {
         Done,
         NoSuchEntry,  // there is no such offset or axis
         TooLarge,     // the control does not take this value
-        Refused,      // nobody can set this quantity
+        Refused,      // nobody can set this system variable
     };
     /// How long the program has run, s, as far as it is known now; an open spline stays open.
     virtual double elapsed() = 0;
-    /// Sets a quantity, in the units of `quantity`. A work offset acts from the next block on if it
-    /// `acts_at_once`, else when it is called next.
+    /// Sets a system variable, in the units of `quantity`. A work offset acts from the next block
+    /// on if it `acts_at_once`, else when it is called next.
     virtual Write set_quantity(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                                double value, bool acts_at_once) = 0;
     /// A frame as it is behind them; nothing: there is none with this number.
@@ -41,7 +41,7 @@ class ControlAccess {
     /// when it is called next; the others act from the next block on.
     virtual Write set_frame(nc::SystemQuantity quantity, std::int64_t number,
                             const control::ControlFrame& frame, bool acts_at_once) = 0;
-    /// A quantity that is a text; nothing: as above.
+    /// A system variable that is a text; nothing: as above.
     virtual std::optional<std::string> text(nc::SystemQuantity quantity, std::int64_t index) = 0;
     /// Sets it.
     virtual Write set_text(nc::SystemQuantity quantity, std::int64_t index,
@@ -65,9 +65,9 @@ class ControlAccess {
     virtual std::string_view begin_contour() = 0;
     /// Ends that: the control is where it was. Nothing: what is wrong was reported.
     virtual std::optional<ContourElements> end_contour() = 0;
-    /// Whether the tool stands at a place of a pattern, where a program is to be called.
+    /// Whether the tool stands at a position of a pattern, where a program is to be called.
     virtual bool is_at_pattern_position() const = 0;
-    /// Behind the block that is next the tool goes on to the next place.
+    /// Behind the block that is next the tool goes on to the next position.
     virtual void leave_pattern_position() = 0;
     /// … to none: the program goes elsewhere.
     virtual void leave_pattern() = 0;

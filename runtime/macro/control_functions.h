@@ -28,11 +28,11 @@ struct Formatted {
     std::string wrong;  // `%D`; empty: nothing
 };
 
-/// Puts values where a format says %D (whole number), %F and %E (number), %S (text), %C
+/// Puts values where a format has %D (whole number), %F and %E (number), %S (text), %C
 /// (character), %B (TRUE or FALSE), %X (hexadecimal digits); %5D and %8.3F give width and decimals,
 /// %% the sign.
 ///
-/// source  S 8.4 SPRINT; that %E is written as 1.234500E+03 is not said there (unsure)
+/// source  S 8.4 SPRINT; that %E is written as 1.234500E+03 is not given there (unsure)
 Formatted format_text(std::string_view format, std::span<const FormatValue> values);
 
 struct PlaneCircle {
@@ -59,7 +59,7 @@ struct MeasuredFrame {
 /// The rotation and shift that carry three points best to where they were measured: least squares.
 ///
 /// ideal, real  x, y, z of three points in turn, mm, shape (3, 3)
-/// source  S 6.4 MEAFRAME; the fit is Umeyama's without a scale
+/// source       S 6.4 MEAFRAME; the fit is Umeyama's without a scale
 MeasuredFrame measured_frame(std::span<const double, 9> ideal, std::span<const double, 9> real);
 
 }  // namespace kadr::macro

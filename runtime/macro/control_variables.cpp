@@ -249,7 +249,7 @@ std::vector<ControlVariable> ControlVariables::list() const {
         const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
             ControlVariable variable = shown_in(store, symbol.slot + i, &symbol);
-            // Of an array those are told that were set.
+            // Of an array those are reported that were set.
             const bool is_reported = symbol.dimensions == 0
                                          ? variable.kind != ControlVariable::Kind::Vacant
                                          : !store.values[symbol.slot + i].is_vacant();

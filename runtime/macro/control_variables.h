@@ -20,7 +20,7 @@
 
 namespace kadr::macro {
 
-/// The variable of the level that was declared at this place among its single values; null: it is
+/// The variable of the level that was declared at this index among its single values; null: it is
 /// one of the language.
 const nc::Symbol* declared_at(const Level& level, std::uint32_t slot);
 
@@ -84,7 +84,7 @@ class ControlVariables final : public Variables {
     const nc::Symbol& declare(nc::Symbol symbol);
     /// What a variable that all programs have may hold.
     void limit(const std::string& name, const Limits& limits) { limits_[name] = limits; }
-    /// The place of a variable, for a parameter that stands for it.
+    /// The location of a variable, for a parameter that stands for it.
     struct VariableRef {
         Store* store = nullptr;  // null: it holds nothing that a program could write
         std::uint32_t slot = 0;
@@ -114,7 +114,7 @@ class ControlVariables final : public Variables {
 
     std::vector<ControlVariable> list() const;
     /// Every variable that is set from now on is noted here; null: nobody wants to know.
-    /// Returns who was told before.
+    /// Returns who was notified before.
     std::vector<VariableChange>* note_changes(std::vector<VariableChange>* changes) {
         return std::exchange(changes_, changes);
     }
@@ -127,7 +127,7 @@ class ControlVariables final : public Variables {
     /// Whether it is no variable that holds something, but the control's own state.
     bool is_state(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
     /// Variables of the language that show the data of an offset by number: those of the work
-    /// offset, or those of the tool offset; each quantity once.
+    /// offset, or those of the tool offset; each variable once.
     std::vector<ControlVariable> shown_data(bool is_of_tool, std::int64_t number);
     ControlVariable shown_state(const nc::Instruction& target,
                                 std::span<const std::int64_t> indices, std::string name);

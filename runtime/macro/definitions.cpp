@@ -1,6 +1,6 @@
-// definitions.cpp — variables and macros that all programs have. They are said in programs of their
-// own, SINUMERIK's SGUD, MGUD, UGUD and SMAC, MMAC, UMAC, which are read before the main program
-// runs.
+// definitions.cpp — variables and macros that all programs have. They are declared in programs of
+// their own, SINUMERIK's SGUD, MGUD, UGUD and SMAC, MMAC, UMAC, which are read before the main
+// program runs.
 
 #include "macro/definitions.h"
 

@@ -42,13 +42,13 @@ class Variables {
     /// `Later`: the blocks before have to be executed first.
     virtual Answer system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                           double& out) = 0;
-    /// Sets a quantity that is a whole number; false: there is no such place.
+    /// Sets a system variable that is a whole number; false: there is no such variable.
     virtual bool set_system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                             double value) = 0;
-    /// The same of a quantity that is a frame.
+    /// The same of a system variable that is a frame.
     virtual Answer frame(nc::SystemQuantity quantity, std::int64_t index,
                          control::ControlFrame& out) = 0;
-    /// The same of a quantity that is a text.
+    /// The same of a system variable that is a text.
     virtual Answer text(nc::SystemQuantity quantity, std::int64_t index, std::string& out) = 0;
     /// mm, or degrees, that 1 in a word of the axis is.
     virtual double axis_unit(Axis axis) const = 0;
@@ -94,7 +94,7 @@ class Evaluator {
     const nc::LineFault& fault() const { return fault_; }
     /// What is being worked out, or was last.
     const nc::Span& place() const { return place_; }
-    /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` says
+    /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` tells
     /// why.
     std::optional<bool> is_same(Value a, const Value& b);
     /// A text that a value holds; valid until the next `forget`.

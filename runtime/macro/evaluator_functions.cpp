@@ -32,7 +32,7 @@ Done Evaluator::question(Operation operation, Value* a) {
         return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
     const std::string asked(text(*a));
     if (operation == Operation::VariableType) {
-        // In the order of S 8.1; which of 6 and 7 is an axis is not told there (unsure).
+        // In the order of S 8.1; which of 6 and 7 is an axis is not given there (unsure).
         const auto type = variables_.type_of(asked);
         const auto number = [](nc::ValueType of) {
             switch (of) {

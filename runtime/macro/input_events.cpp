@@ -69,7 +69,7 @@ void InputEvents::act() {
     is_acting_ = false;
 }
 
-/// As a text of its own: what it says is no line of the program.
+/// As a text of its own: what it holds is no line of the program.
 void InputEvents::act_event(const InputEvent& event) {
     CompiledLine line;
     line.text = event.text;

@@ -30,7 +30,7 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
                                               std::int64_t number, Value& out) {
     const auto first = static_cast<std::int64_t>(range.value) + (number - range.first) * kBits;
     std::uint32_t bits = 0;
-    // Of inputs that nobody has told the number is told that the program reads, and not each.
+    // Of inputs that nobody has given the number is reported that the program reads, and not each.
     bool is_missing = false;
     bool is_given = false;
     const auto report = machine_values_.report_missing_to(

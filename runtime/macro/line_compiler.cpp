@@ -22,7 +22,7 @@ void LineCompiler::compile(CompiledLine& line, Block& out) {
         if (run_.lines.bounds().has_ended()) line.kind = CompiledLine::Kind::End;
         return;
     }
-    // Of anybody else's line only what it says counts: `#100=#5061` is an assignment.
+    // Of anybody else's line only what it is counts: `#100=#5061` is an assignment.
     line.kind = CompiledLine::Kind::Known;
     if (run_.source().is_phrase(line.program_line.line.line) && run_.lines.knows(line.text, out))
         return;

@@ -1,4 +1,4 @@
-// machine_values.h — named values that the machine tells a program, or that a program writes for
+// machine_values.h — named values that the machine gives a program, or that a program writes for
 // it: inputs, data of its PLC, machine data.
 #pragma once
 
@@ -31,8 +31,8 @@ class MachineValues {
     /// language  outlives them
     explicit MachineValues(const nc::Language& language) : language_(language) {}
 
-    /// Who is told that a value was read that nobody has given. Each is told once, of an array its
-    /// first element. Returns who was told before.
+    /// Who is notified that a value was read that nobody has given. Each is reported once, of an
+    /// array its first element. Returns who was notified before.
     MissingListener report_missing_to(MissingListener listener) {
         return std::exchange(missing_listener_, std::move(listener));
     }
@@ -48,10 +48,10 @@ class MachineValues {
     void set(const std::string& name, Entry entry) {
         values_.insert_or_assign(name, std::move(entry));
     }
-    /// The value, and its text if it is one; 0 where nobody has given it, and that is told.
+    /// The value, and its text if it is one; 0 where nobody has given it, and that is reported.
     void read(const nc::VariableRange& range, const std::string& name, Value& out,
               std::string& text);
-    /// Those of a form that programs write, too: what only the machine says is known without the
+    /// Those of a form that programs write, too: what only the machine gives is known without the
     /// program.
     void list(std::uint32_t form, std::vector<ControlVariable>& out) const;
 

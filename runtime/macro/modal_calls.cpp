@@ -20,7 +20,7 @@ namespace {
 /// Whether an axis moves in the block, as far as words tell.
 bool moves(const Block& block) {
     if ((block.given & (nc::kTargetSlots | nc::kPolarSlots)) != 0) return true;
-    // A full circle names no end, and an arc may say the angle that it goes.
+    // A full circle names no end, and an arc may give the angle that it goes.
     const bool is_arc_given = (block.given & (nc::kArcSlots | bit(nc::Slot::Opening))) != 0;
     if (is_arc_given &&
         (block.motion == Function::None || nc::has_fact(block.motion, nc::Fact::Circle)))

@@ -1,4 +1,4 @@
-// modal_calls.h — calls that are made behind the blocks that come, or at the places of a
+// modal_calls.h — calls that are made behind the blocks that come, or at the positions of a
 // pattern.
 #pragma once
 
@@ -37,9 +37,9 @@ class ModalCalls {
     void drop_due() { due_.reset(); }
     /// It begins.
     Outcome begin_due();
-    /// At a place of a pattern: the call, or on to the next place.
+    /// At a position of a pattern: the call, or on to the next position.
     Outcome go_on_at_positions(nc::Block& out);
-    /// A return that goes elsewhere leaves the places that are left.
+    /// A return that goes elsewhere leaves the positions that are left.
     void leave_pattern_positions(RunningProgram& of);
 
   private:

@@ -1,5 +1,5 @@
 // named_shape.h — what kind of cycle it is: one whose call names the program in which its shape
-// stands, one that names a contour for later, or a pattern of places.
+// stands, one that names a contour for later, or a pattern of positions.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ enum class ContourSource : std::uint8_t {
 inline constexpr std::string_view kContourBegin = "E_LAB_A_";
 inline constexpr std::string_view kContourEnd = "E_LAB_E_";
 
-/// A cycle that has it is a pattern of places: whether something is called at each.
+/// A cycle that has it is a pattern of positions: whether something is called at each.
 inline constexpr std::string_view kPatternParameter = "calls";
 
 inline bool goes_to_positions(const nc::CycleInfo& cycle) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char kIndexSeparator = ',';
 
-/// The indices as they were worked out, in place of what the program says: `$TC_DP6[R1,2]` is
+/// The indices as they were worked out, in place of what the program has: `$TC_DP6[R1,2]` is
 /// `$TC_DP6[7,2]`. Axes and names of parts stay.
 std::string with_indices(std::string_view written, std::span<const std::int64_t> indices, char open,
                          char close) {
@@ -67,7 +67,7 @@ bool is_of_tool_offset(SystemQuantity quantity) {
 
 }  // namespace
 
-/// A quantity of the control as a variable of this name; vacant if it cannot be read.
+/// A system variable of the control as a variable of this name; vacant if it cannot be read.
 ControlVariable ControlVariables::shown_state(const Instruction& target,
                                               std::span<const std::int64_t> indices,
                                               std::string name) {
@@ -154,7 +154,7 @@ void NotedWrites::note_data(const nc::Block& block) {
     using nc::Function;
     struct Data {
         Function function;
-        std::size_t number;  // parameter that says which offset
+        std::size_t number;  // parameter that chooses which offset
         bool is_of_tool;
     };
     static constexpr std::array kData = {

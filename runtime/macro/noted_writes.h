@@ -17,7 +17,7 @@ class NotedWrites {
 
     /// Keeps the data that the block may write, as they are before it.
     void note_data(const nc::Block& block);
-    /// Whether `report_data` has something to tell, when the block is executed.
+    /// Whether `report_data` has something to report, when the block is executed.
     bool has_data() const { return !data_.empty(); }
     /// What has become of them.
     void report_data();

@@ -8,7 +8,7 @@ namespace kadr::macro {
 enum class Outcome : std::uint8_t {
     Block,    // that was to be filled holds one
     Nothing,  // go on
-    Failed,   // and the reason has been told
+    Failed,   // and the reason has been reported
     Wait,     // the line is run again when the blocks before are executed
 };
 

@@ -35,7 +35,7 @@ void append_printed(std::string& out, double value, const nc::PrintPiece& piece,
 }
 
 /// The value without its decimal point as a whole number of 32 bits, the highest byte first;
-/// nothing: it has no place there.
+/// nothing: it has no room there.
 /// source: F 6.10 BPRNT; the bytes are those of the operator's manual (unsure: no vacant value)
 std::optional<std::string> bytes_of(double value, int decimals) {
     const double counts = std::round(value * std::pow(10.0, decimals));

@@ -2,8 +2,8 @@
 //
 // Stands between the text and the interpreter: executes assignments, jumps and loops, works out
 // computed words, and gives the blocks in the order in which the control executes them. A line that
-// is plain words and numbers goes the reader's way and costs nothing more. Statements that ask for
-// the state of the interpreter wait until it has executed what was given before.
+// is plain words and numbers is handled by the reader and costs nothing more. Statements that ask
+// for the state of the interpreter wait until it has executed what was given before.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@
 
 namespace kadr::macro {
 
-/// What the machine tells a program before it begins: assignments of the control's language, and
+/// What the machine gives a program before it begins: assignments of the control's language, and
 /// blocks that write data (`G10 L2`).
 struct ProgramInputs {
     std::string name;  // of the file, for messages

@@ -81,7 +81,7 @@ Outcome ProgramBase::evaluate(CompiledLine& line, const nc::Expression& expressi
     return Outcome::Nothing;
 }
 
-/// Said once a run: what thinks in radians does so everywhere.
+/// Reported once a run: what thinks in radians does so everywhere.
 void ProgramBase::warn_of_radians(const CompiledLine& line) {
     const auto found = evaluator.take_radians();
     if (!found || reported_radians_) return;
@@ -118,7 +118,7 @@ Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, c
     if (variables.must_wait(reference.load, indices)) return Outcome::Wait;
     VariableFault fault = writes.store(line, reference, indices, value);
     if (fault.row == nullptr) return Outcome::Nothing;
-    // The control's own state has the name that the program says.
+    // The control's own state has the name that the program uses.
     const bool is_family = reference.load.kind == nc::Instruction::Kind::Family;
     const bool is_state = is_family || reference.load.kind == nc::Instruction::Kind::System;
     const auto quantity = is_family ? variables.quantity_of(reference.load.index, indices[0])

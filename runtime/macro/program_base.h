@@ -1,5 +1,5 @@
 // program_base.h — what every statement of a program stands on: the control's tables, the reader of
-// lines, the variables, the programs that have not returned, and how a fault is told. Internal to
+// lines, the variables, the programs that have not returned, and reports of faults. Internal to
 // macro.
 #pragma once
 
@@ -106,7 +106,7 @@ class ProgramBase {
     Outcome truth(CompiledLine& line, const nc::Expression& expression, bool& out);
     /// Sets a variable.
     Outcome store(CompiledLine& line, const nc::Reference& reference, const Value& value);
-    /// Tells what is wrong with the line; always Failed.
+    /// Reports what is wrong with the line; always Failed.
     Outcome fail(CompiledLine& line, const nc::LineFault& fault);
     Outcome fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,
                  std::vector<std::string> arguments = {}) {

@@ -17,7 +17,7 @@ class ProgramFiles {
     };
     virtual ~ProgramFiles() = default;
     /// The file of the program with this name (a number without leading zeros), which can be read
-    /// again from any place. Nothing: there is none.
+    /// again from any position. Nothing: there is none.
     ///
     /// kind  of the program (nc::kind_of); empty: any, in the order in which the control looks
     virtual std::optional<File> open(const nc::Dialect& dialect, const std::string& program,

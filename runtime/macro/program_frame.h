@@ -52,7 +52,7 @@ struct PreparedCall {
     const nc::CallForm* form = nullptr;  // null: a statement without a code
     std::int64_t passes = 1;
     std::int64_t start = -1;            // number of the block where it begins
-    std::vector<GivenValue> arguments;  // by their places
+    std::vector<GivenValue> arguments;  // by their positions
     std::shared_ptr<Level> level;       // of a macro: arguments are set once
     std::optional<ProgramLine> from;    // of a section
     std::optional<LinePosition> to;
@@ -68,13 +68,13 @@ struct ReturnedVariable {
     ControlVariable before;  // the call
 };
 
-/// A modal call that is made at the places of a pattern.
+/// A modal call that is made at the positions of a pattern.
 struct CallsAtPositions {
     PreparedCall call;
     std::uint32_t line = 0;    // Block::line of the pattern
     std::uint64_t number = 0;  // … in its text
     nc::ModalFunctions modal_before{};
-    bool has_called = false;  // at the place where the tool stands
+    bool has_called = false;  // at the position where the tool stands
 };
 
 /// A program that runs: the main program, or one that was called.
@@ -97,13 +97,13 @@ struct RunningProgram {
     std::int64_t left = 1;  // passes, this one included
     bool saves = false;
     nc::ModalFunctions modal_before{};
-    bool is_definition = false;  // it says what all programs have, and moves nothing
+    bool is_definition = false;  // it declares what all programs have, and moves nothing
     bool is_called = false;      // the main program has arguments, and returns where it ends
-    const ProgramInputs* inputs = nullptr;  // it is what the machine tells before the program
+    const ProgramInputs* inputs = nullptr;  // it is what the machine gives before the program
     bool is_in_code_call = false;           // codes that call programs mean what they are here
     bool is_external = false;
     TextMacros macros;
-    std::optional<CallsAtPositions> at_positions;  // while the tool goes from place to place
+    std::optional<CallsAtPositions> at_positions;  // while the tool goes from position to position
     std::vector<ReturnedVariable> references;      // noted if somebody looks on
     std::size_t modal_limit = ~std::size_t{0};     // modal calls below this one act here
     // How it ends.

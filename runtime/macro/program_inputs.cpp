@@ -1,8 +1,8 @@
-// program_inputs.cpp — what the machine tells a program: values before it begins, and at their
+// program_inputs.cpp — what the machine gives a program: values before it begins, and at their
 // times.
 //
-// They are said in the control's own words, as assignments and as blocks that write data. A line
-// that sets nothing is told with its place; the others act.
+// They are written in the control's own words, as assignments and as blocks that write data. A line
+// that sets nothing is reported with its location; the others act.
 #include "macro/program_inputs.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// program_inputs.h — what the machine tells a program before it begins.
+// program_inputs.h — what the machine gives a program before it begins.
 #pragma once
 
 #include <functional>

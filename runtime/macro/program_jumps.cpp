@@ -48,7 +48,7 @@ Result<LineTarget, Outcome> Jumps::resolve(CompiledLine& line, const JumpTarget&
     return out;
 }
 
-/// Where a jump goes to. An alarm where there is no such place, but for a jump that may have none:
+/// Where a jump goes to. An alarm where there is no such target, but for a jump that may have none:
 /// nothing is found then.
 Outcome Jumps::find_target(CompiledLine& line, const ControlStatement& statement,
                            LineTarget& target, std::optional<ProgramLine>& found) {
@@ -106,7 +106,7 @@ void Jumps::check(CompiledLine& line, const std::vector<ControlStatement>& state
 }
 
 /// A target that stands twice is found as the control looks for it, which need not be the one that
-/// was meant. Said once a target.
+/// was meant. Reported once a target.
 void Jumps::warn_of_twin(const CompiledLine& line, const Span& span, const LineTarget& target,
                          const ProgramLine& found) {
     const auto twice = run_.map().twice(target);
@@ -215,7 +215,7 @@ Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
     return Outcome::Nothing;
 }
 
-/// The end of a structure cannot be found: what is in the way is told with it.
+/// The end of a structure cannot be found: what is in the way is reported with it.
 Outcome Jumps::fail_at_end(CompiledLine& line, const ControlStatement& statement,
                            ProgramMap::Fault fault, const ProgramMap::Crossing& crossing) {
     const auto end = static_cast<std::uint32_t>(crossing.text.size());
@@ -242,7 +242,7 @@ Outcome Jumps::fail_at_end(CompiledLine& line, const ControlStatement& statement
 }
 
 /// `ENDIF` that ends no condition, as behind `IF … GOTOF …`, or behind a jump into one: there is
-/// nothing to do. Said once for each.
+/// nothing to do. Reported once for each.
 Outcome Jumps::pass_end(const CompiledLine& line, const ControlStatement& statement) {
     if (!reported_ends_.emplace(run_.frame->unit, line.program_line.line.offset).second)
         return Outcome::Nothing;

@@ -23,7 +23,7 @@ class Jumps {
     Outcome jump(CompiledLine& line, const nc::ControlStatement& statement);
     /// The jump of the first case whose value it is.
     Outcome choose_case(CompiledLine& line, const nc::ControlStatement& statement);
-    /// Goes on at this place.
+    /// Goes on at this line.
     Outcome go(CompiledLine& line, const ProgramLine& target, const nc::Span& span);
     /// A jump leaves structures and sections that the target does not stand in.
     void leave_open(const LinePosition& target);
@@ -49,7 +49,7 @@ class Jumps {
     Outcome count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_looping);
 
     ProgramBase& run_;
-    std::set<std::pair<const ProgramUnit*, std::uint64_t>> reported_ends_;  // unit, place of line
+    std::set<std::pair<const ProgramUnit*, std::uint64_t>> reported_ends_;  // unit, line's position
     std::set<std::pair<const ProgramUnit*, LineTarget>> reported_twins_;
 };
 

@@ -11,7 +11,7 @@ using nc::Statement;
 
 namespace {
 
-/// Places that are remembered; a program has fewer as a rule.
+/// Positions that are remembered; a program has fewer as a rule.
 constexpr std::size_t kMostPlaces = 100'000;
 
 /// Bytes of a program that are searched for targets that stand twice.

@@ -1,4 +1,4 @@
-// program_map.h — places in a program: where targets stand and where structures end.
+// program_map.h — positions in a program: where targets stand and where structures end.
 //
 // Found by looking through the text as the control does, and remembered.
 #pragma once
@@ -81,11 +81,11 @@ class ProgramMap {
     Fault find_label_between(std::string_view label, const LinePosition& from,
                              const LinePosition& to, ProgramLine& out);
 
-    /// Whether nothing but comments and numbers of blocks stands between two places.
+    /// Whether nothing but comments and numbers of blocks stands between two positions.
     bool finds_nothing_between(const LinePosition& from, const LinePosition& to);
 
   private:
-    /// Calls `look` with each line from `from` on and its place, until it says false.
+    /// Calls `look` with each line from `from` on and its position, until it returns false.
     template <typename Look>
     Fault scan(const LinePosition& from, Look look);
     bool is_target(const nc::LineFront& front, const LineTarget& target) const;

@@ -1,9 +1,9 @@
-// program_places.cpp — patterns of places (HOLES1) at which a program is called that was made
+// program_places.cpp — patterns of positions (HOLES1) at which a program is called that was made
 // modal.
 //
-// The interpreter goes from place to place, the program knows what is called there: the block of
-// the pattern ends its batch, the interpreter stands at the first place, the call begins as behind
-// a motion, and when it has returned the interpreter goes on to the next place.
+// The interpreter goes from position to position, the program knows what is called there: the block
+// of the pattern ends its batch, the interpreter stands at the first position, the call begins as
+// behind a motion, and when it has returned the interpreter goes on to the next position.
 #include "macro/program_run.h"
 
 namespace kadr::macro {
@@ -14,7 +14,7 @@ using nc::Group;
 
 namespace {
 
-/// Between the places the interpreter moves at rapid and counts from the origin; the other codes
+/// Between the positions the interpreter moves at rapid and counts from the origin; the other codes
 /// are those from before the pattern.
 nc::ModalFunctions modal_between_positions(const CallsAtPositions& calls) {
     nc::ModalFunctions out = calls.modal_before;
@@ -25,7 +25,7 @@ nc::ModalFunctions modal_between_positions(const CallsAtPositions& calls) {
 
 }  // namespace
 
-/// The modal call is made at the places of this block's pattern.
+/// The modal call is made at the positions of this block's pattern.
 void ModalCalls::call_at_positions(const Block& block, const PreparedCall& active,
                                    std::string_view text_of_line, std::uint64_t number) {
     CallsAtPositions& calls = run_.frame->at_positions.emplace();
@@ -39,9 +39,9 @@ void ModalCalls::call_at_positions(const Block& block, const PreparedCall& activ
     run_.lines.modes().restore(modal_between_positions(calls), ignored);
 }
 
-/// The tool stands at a place: the call; behind it on to the next one, which the interpreter does
-/// behind a block that takes back the codes of the program that was called. Behind the last place
-/// those act again that acted before the pattern.
+/// The tool stands at a position: the call; behind it on to the next one, which the interpreter
+/// does behind a block that takes back the codes of the program that was called. Behind the last
+/// position those act again that acted before the pattern.
 Outcome ModalCalls::go_on_at_positions(Block& out) {
     if (run_.counts.given > 0) return Outcome::Wait;
     CallsAtPositions& calls = *run_.frame->at_positions;
@@ -68,7 +68,7 @@ Outcome ModalCalls::go_on_at_positions(Block& out) {
     return says_something ? Outcome::Block : Outcome::Nothing;
 }
 
-/// A return that goes elsewhere leaves the places that are left.
+/// A return that goes elsewhere leaves the positions that are left.
 void ModalCalls::leave_pattern_positions(RunningProgram& of) {
     if (!of.at_positions) return;
     of.at_positions.reset();

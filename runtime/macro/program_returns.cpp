@@ -86,7 +86,7 @@ bool ends_program(const nc::Dialect& dialect, std::string_view line) {
                                       block[0].find(Function::EndRewind) != nullptr);
 }
 
-/// Whether a jump may end the program in front of the place: a block with a number stands in the
+/// Whether a jump may end the program in front of the position: a block with a number stands in the
 /// program from there on, and the program's end behind it. Exits to an alarm alone are none.
 bool has_exit_behind(const nc::Dialect& dialect, nc::LineSource& source, const LinePosition& from) {
     const nc::DialectTables& tables = dialect.tables();

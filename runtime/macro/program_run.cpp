@@ -60,7 +60,7 @@ std::size_t ProgramRun::pull(std::span<Block> out) {
                              : frame->inputs != nullptr ? machine_inputs.step(block)
                                                         : step(block);
         if (done == Outcome::Block) ++counts.given;
-        // The interpreter goes to a place before the program does there what it does.
+        // The interpreter goes to a position before the program does there what it does.
         if (frame->at_positions && counts.given > 0) return counts.given;
         variables.system_variables().set_in_step(counts.given == 0);
         if (done == Outcome::Wait) return counts.given;
@@ -100,7 +100,7 @@ bool ProgramRun::runs_flat() {
 }
 
 /// Lines that nobody has executed yet, one behind the other, while they are plain words: in a flat
-/// program all. What the usual way asks at each line was asked once, by `runs_flat`.
+/// program all. What the usual path asks at each line was asked once, by `runs_flat`.
 void ProgramRun::take_flat(std::span<Block> out) {
     nc::LineSource& from = source();
     nc::LineSource::Ahead ahead;
@@ -166,7 +166,7 @@ Outcome ProgramRun::step(Block& out) {
     if (frame->here.offset >= frontier().offset) return first_time(out);
     CompiledLine* const line =
         frame->next_line != nullptr ? frame->next_line : line_at(frame->here);
-    if (line == nullptr) {  // said; there is no way on
+    if (line == nullptr) {  // reported; there is no way on
         end();
         return Outcome::Nothing;
     }
@@ -208,7 +208,7 @@ Outcome ProgramRun::first_time(Block& out) {
         scratch.text.clear();
         scratch.program_line = {frame->here, frame->here};
         end();
-        if (lines.faults().failed()) return Outcome::Nothing;  // said at the jump
+        if (lines.faults().failed()) return Outcome::Nothing;  // reported at the jump
         return fail(scratch, diag::TextGone, {}, {"line " + std::to_string(frame->here.line)});
     }
     if (frame->here.offset != frontier().offset) note_passed_text();
@@ -238,8 +238,8 @@ Outcome ProgramRun::first_time(Block& out) {
     return finish_first(done, scratch.text, next, out);
 }
 
-/// next  where the line behind it begins. By value: a place that was stored in parts a moment ago
-///       would be waited for by a copy of the whole.
+/// next  where the line behind it begins. By value: a position that was stored in parts a moment
+///       ago would be waited for by a copy of the whole.
 Outcome ProgramRun::finish_first(Outcome done, std::string_view text, LinePosition next,
                                  Block& out) {
     phase.is_waiting = done == Outcome::Wait;
@@ -362,7 +362,7 @@ void ProgramRun::end_after(Block& block) {
         const auto begin = block.functions.begin();
         std::move(begin + index + 1, begin + block.function_count, begin + index);
         --block.function_count;
-        // Nothing is left of a block that said only this.
+        // Nothing is left of a block that programmed only this.
         const bool is_empty =
             block.function_count == 0 && block.given == 0 && block.motion == Function::None;
         if (is_empty) block.kind = Block::Kind::Comment;

@@ -71,7 +71,7 @@ class ProgramRun : public ProgramBase {
     Outcome run(CompiledLine& line, nc::Block& out);
     /// A statement of it.
     Outcome execute(CompiledLine& line, const nc::ControlStatement& statement, nc::Block& out);
-    /// Gives the block its place in the text, and does what follows from it.
+    /// Gives the block its location, and does what follows from it.
     void deliver(nc::Block& block, std::string_view text, std::uint64_t number, bool again);
     void name_call(nc::Block& block);
     /// Whether the block is not executed for its skip level.
@@ -111,7 +111,7 @@ class ProgramRun : public ProgramBase {
     PassedText skipped_;                        // of the main program
     std::optional<std::uint64_t> skipped_end_;  // of the part of it that is read for its mistakes
     std::set<std::pair<const ProgramUnit*, std::uint64_t>>
-        reported_synchronous_;  // unit, place of line
+        reported_synchronous_;  // unit, position of line
 };
 
 /// The main program is called with the arguments of the options.

@@ -1,4 +1,4 @@
-// Statements of a control's own language: values, messages, what is said and goes on.
+// Statements of a control's own language: values, messages, what is reported and goes on.
 #include <utility>
 
 #include "base/diagnostics/control.h"
@@ -115,7 +115,7 @@ Outcome ProgramRun::run_text(CompiledLine& line, const ControlStatement& stateme
     return done;
 }
 
-/// What happens beside the motion is not executed; each such action is said once.
+/// What happens beside the motion is not executed; each such action is reported once.
 Outcome ProgramRun::pass_synchronous(CompiledLine& line, const ControlStatement& statement) {
     if (!reported_synchronous_.insert({frame->unit, line.program_line.line.offset}).second)
         return Outcome::Nothing;

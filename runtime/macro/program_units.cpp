@@ -145,7 +145,7 @@ const LinePosition* ProgramUnits::first_of(const ProgramText& text, const std::s
     return &kinds.begin()->second;
 }
 
-/// Where the program begins in the text; heads on the way are remembered.
+/// Where the program begins in the text; heads before it are remembered.
 std::optional<LinePosition> ProgramUnits::find_in(ProgramText& text, const std::string& name,
                                                   const std::string& kind) const {
     const nc::CallLanguage& calls = tables_.language.calls;

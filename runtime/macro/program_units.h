@@ -22,7 +22,7 @@ struct CompiledLine {
     ProgramLine program_line;
     enum class Kind : std::uint8_t {
         New,       // nobody has looked at it
-        Plain,     // words and numbers: the reader's way
+        Plain,     // words and numbers: the reader handles them
         Known,     // the dialect knows it by its letters
         Compiled,  // `line` holds
         Nothing,   // nothing stands there
@@ -45,13 +45,13 @@ struct ProgramText {
     bool is_kept;  // it cannot be read again by itself
     nc::LineSource source;
     std::vector<std::uint32_t> windows;  // of the ids of its lines; the main text needs none
-    // Heads of programs that were seen in it, up to a place: by name, then by kind.
+    // Heads of programs that were seen in it, up to a position: by name, then by kind.
     std::map<std::string, std::map<std::string, LinePosition>> programs;
     LinePosition seen;
     bool is_seen_whole = false;
 };
 
-/// A program: what stands in a text from a place up to the next head of a program.
+/// A program: what stands in a text from a position up to the next head of a program.
 struct ProgramUnit {
     ProgramUnit(const nc::DialectTables& tables, ProgramText& text_, const LinePosition& begin_,
                 std::string name_)
@@ -69,7 +69,7 @@ struct ProgramUnit {
     std::unordered_map<std::uint64_t, std::unique_ptr<CompiledLine>> compiled;
     bool has_looked_for_head = false;
     std::optional<nc::ControlLine> head;  // with its statement, if it is a procedure
-    bool has_wrong_head = false;  // … that has a fault, which is told where it is executed
+    bool has_wrong_head = false;  // … that has a fault, which is reported where it is executed
 
     const nc::ControlStatement* procedure() const { return head ? &head->statements[0] : nullptr; }
 };

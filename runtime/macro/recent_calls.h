@@ -1,5 +1,5 @@
 // recent_calls.h — calls of programs by a number that travels with their blocks, so that a message
-// about a block can say long afterwards what had led to it.
+// about a block can tell long afterwards what had led to it.
 #pragma once
 
 #include <cstdint>

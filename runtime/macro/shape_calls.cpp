@@ -41,7 +41,7 @@ void ShapeCalls::follow(const Block& block, std::string_view text, const Program
     if (!cycle.takes_shape()) return;
     const std::int64_t first = argument_of(cycle.roles.first_block);
     const std::int64_t last = argument_of(cycle.roles.last_block);
-    if (first < 0 || last < 0) return;  // the interpreter says so
+    if (first < 0 || last < 0) return;  // the interpreter reports it
     ProgramLine begin;
     ProgramLine end;
     ProgramMap::Fault fault = run_.map().find({"", first}, Direction::Both, line, begin);
@@ -161,7 +161,7 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
         run_.modal_calls.make_due(std::move(call));
         return;
     }
-    contour.parts.resize(2);  // a label that nobody said is missing
+    contour.parts.resize(2);  // a label that nobody gave is missing
     ProgramLine begin{call.unit->begin, call.unit->begin};
     ProgramLine end;
     for (const std::string& label : contour.parts) {

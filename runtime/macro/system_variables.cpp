@@ -15,7 +15,7 @@ using nc::SystemQuantity;
 
 namespace {
 
-/// Whether the last index of the quantity is an axis, so that it is a length or an angle.
+/// Whether the last index of the system variable is an axis, so that it is a length or an angle.
 bool is_of_axis(SystemQuantity quantity) {
     switch (quantity) {
         case SystemQuantity::EndPosition:
@@ -36,7 +36,7 @@ bool is_of_axis(SystemQuantity quantity) {
     }
 }
 
-/// Whether the quantity is a length of a tool.
+/// Whether the system variable is a length of a tool.
 bool is_of_tool_data(SystemQuantity quantity) {
     switch (quantity) {
         case SystemQuantity::ToolRadius:
@@ -164,7 +164,7 @@ void SystemVariables::put_units(ContourElements& contour) const {
     const double feed = text_scale(nc::Dimension::Feed, reader_.modes().units(), true);
     const nc::Function function =
         reader_.modes().units().inch ? nc::Function::Inch : nc::Function::Metric;
-    // The code that acts by its place in the list of its group.
+    // The code that acts by its index in the list of its group.
     int index = reader_.modes().units().inch ? 0 : 1;
     for (const nc::Form& form : tables_.forms) {
         if (form.function != function || form.group < 0) continue;

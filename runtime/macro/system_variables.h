@@ -17,7 +17,7 @@
 
 namespace kadr::macro {
 
-/// What the name of a quantity leaves open: the number of an offset, an axis …
+/// What the name of a system variable leaves open: the number of an offset, an axis …
 struct QuantityIndices {
     std::int64_t first = 0;
     std::int64_t second = 0;
@@ -42,7 +42,7 @@ class SystemVariables {
     /// Whether everything that was given is executed. If not, what the control knows is `Later`.
     void set_in_step(bool in_step) { in_step_ = in_step; }
     bool is_in_step() const { return in_step_; }
-    /// Who knows which modal call acts, and says its code.
+    /// Who knows which modal call acts, and gives its code.
     void ask_modal_call(std::function<double()> ask) { modal_call_ = std::move(ask); }
     /// Who knows the programs: the name of the one at a level of calls, or nothing, and whether
     /// there is one with a name.
@@ -55,8 +55,8 @@ class SystemVariables {
     void set_program_level(std::size_t level) { program_level_ = level; }
     const ActiveCodes& codes() const { return codes_; }
 
-    /// A quantity that is a number. `Missing`: it does not exist for these indices. `Compensated`:
-    /// it is a position, and the tool stands beside the programmed contour.
+    /// A system variable that is a number. `Missing`: it does not exist for these indices.
+    /// `Compensated`: it is a position, and the tool stands beside the programmed contour.
     Answer number(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                   double& out);
     /// One that is a frame; lengths in mm.
@@ -71,10 +71,10 @@ class SystemVariables {
     bool has_spindle(std::int64_t number) const;
     /// Whether a program has this name.
     bool has_program(std::string_view name) const { return is_program_ && is_program_(name); }
-    /// A contour in mm gets the units of the text, and tells which those are.
+    /// A contour in mm gets the units of the text, and returns which those are.
     void put_units(ContourElements& contour) const;
 
-    /// Sets a quantity that has no unit; false: there is no such place.
+    /// Sets a system variable that has no unit; false: there is no such variable.
     bool set_whole_number(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                           double value);
     /// Sets a number by a value in the units of the text.

@@ -41,8 +41,8 @@ Outcome ValueStatements::assign(CompiledLine& line, const ControlStatement& stat
     return goes_on(done) ? run_.store(line, statement.variable, value) : done;
 }
 
-/// A text that is too long for its variable is cut off. That of a constant is not, which is told
-/// where it is stored, and one that is put together is told as such. S 8.2.
+/// A text that is too long for its variable is cut off. That of a constant is not, which is
+/// reported where it is stored, and one that is put together is reported as such. S 8.2.
 Outcome ValueStatements::fit_text(CompiledLine& line, const ControlStatement& statement,
                                   Value& value) {
     using Kind = nc::Instruction::Kind;
@@ -86,7 +86,7 @@ Outcome ValueStatements::assign_list(CompiledLine& line, const ControlStatement&
     return Outcome::Nothing;
 }
 
-/// How many variables get the value of a filling: so many as its second number says, else all.
+/// How many variables get the value of a filling: so many as its second number is, else all.
 Outcome ValueStatements::fill_count(CompiledLine& line, std::span<const nc::Expression> expressions,
                                     std::size_t most, std::size_t& out) {
     out = most;
@@ -211,7 +211,7 @@ Outcome ValueStatements::declare_one(CompiledLine& line, const nc::Declaration& 
     double count = 1;
     const bool had_failed = run_.lines.faults().failed();
     for (std::size_t i = 0; i < declaration.dimensions; ++i) {
-        Value length = Value::real(1);  // of a parameter whose size the caller's array says
+        Value length = Value::real(1);  // of a parameter whose size the caller's array gives
         Outcome done = Outcome::Nothing;
         if (declaration.sizes[i].is_given())
             done = run_.evaluate(line, declaration.sizes[i], length);

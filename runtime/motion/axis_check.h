@@ -17,8 +17,8 @@
 
 namespace kadr::motion {
 
-/// What has been told of the axes: that one is missing is told once, that one is outside of its
-/// limits again when it has been back.
+/// What has been reported of the axes: that one is missing is reported once, that one is outside of
+/// its limits again when it has been back.
 class ReportedAxes {
   public:
     bool first_time_missing(std::size_t logical) { return !std::exchange(missing_[logical], true); }

@@ -141,7 +141,7 @@ class AxisTable {
     PathLimits spline_limits(const SplineBend& bend, double wanted) const;
     PathLimits glide_limits(const path::Glide& glide, double wanted) const;
     AxisRates bends(const Segment& piece, double distance) const;
-    // Of a transformed piece; u is the part of its way, 0 … 1.
+    // Of a transformed piece; u is the part of its path, 0 … 1.
     AxisRates rates_on(const Segment& piece, double u) const;
     AxisRates bends_on(const Segment& piece, double u) const;
     Loads transformed_loads(const Segment& piece) const;

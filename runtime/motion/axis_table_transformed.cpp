@@ -1,7 +1,7 @@
 // What the axes see of a piece on which the transformation holds the tip.
 //
-// Every axis goes its own way there, so its derivatives are taken one by one, and what turning and
-// speeding up ask of it is added up: never too little.
+// Every axis takes its own path there, so its derivatives are taken one by one, and what turning
+// and speeding up ask of it is added up: never too little.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr double kNormalShare = 0.86602540378443865;
 constexpr double kSteadyJerk = 0.4;
 constexpr double kTurningJerk = 0.3;
 
-constexpr int kSamples = 8;  // of a course, to find its greatest values
+constexpr int kSamples = 8;  // of a motion, to find its greatest values
 
 /// The greatest magnitude of what is `value(u)` at 0 ≤ u ≤ 1. It may lie between two samples: there
 /// it is that of the parabola through three of them.
@@ -109,7 +109,7 @@ PathLimits AxisTable::transformed_limits(const Segment& piece, double wanted) co
 
 namespace {
 
-/// The greatest value between two places, where there is one; a golden section finds it.
+/// The greatest value between two points, where there is one; a golden section finds it.
 template <typename Value>
 double peak_between(const Value& value, double lower, double upper) {
     constexpr int kSteps = 30;  // to a millionth of the width, and so to a billionth of the value

@@ -73,7 +73,7 @@ struct Interval {
     }
 };
 
-// Where a curve is held against the straight course between its ends: in the middle, and where no
+// Where a curve is held against the straight line between its ends: in the middle, and where no
 // whole number of turns shows the same.
 constexpr std::array<double, 2> kInside{0.5, 0.30901699437494742};
 
@@ -83,7 +83,7 @@ double slight_curvature(const LinearLimits& limits, double speed) {
     return limits.acceleration.minCoeff() / (most * most);
 }
 
-/// How much p and c inside differ from the straight course between the ends, in parts of the
+/// How much p and c inside differ from the straight line between the ends, in parts of the
 /// greatest; of curvatures below a slight one in parts of that.
 struct Evenness {
     path::CurvePoint first;
@@ -203,8 +203,8 @@ Profile profile_over(const BentCell& cell, double entry, double exit) {
     return profile;
 }
 
-/// Seidel's way: the half-planes come one by one, and where the best point so far is cut off, the
-/// best one lies on the new border.
+/// Seidel's algorithm: the half-planes come one by one, and where the best point so far is cut off,
+/// the best one lies on the new border.
 double entry_square(const BentCell& cell, double entry_most, double exit_most) {
     const HalfPlanes halves = planes_of(cell);
     const auto& planes = halves.planes;

@@ -14,17 +14,17 @@ namespace {
 using path::Vec3;
 
 constexpr std::size_t kBatch = 32;
-constexpr double kStep = 0.1;               // mm along the way between two looks
+constexpr double kStep = 0.1;               // mm along the path between two looks
 constexpr double kParts = 4;                // looks at every piece, however short
 constexpr double kNothing = 1e-9;           // mm: rounding of lengths
-constexpr double kStanding = 1e-6;          // of a tip's way, of that of the place that touches
+constexpr double kStanding = 1e-6;          // of a tip's path, of that of the point that touches
 constexpr double kSameTime = 1e-6;          // s
 constexpr double kSameAngle = 1e-4;         // rad, 0.006 deg; mm of a parallel axis
 constexpr double kSameRate = 1e-3;          // of a pitch, of a speed: what rounded words leave
 constexpr double kSameTurn = 1e-5;          // of the spindle: 0.004 deg
 constexpr double kRoundedTurns = 0.5 / 60;  // rev/s: S in whole revolutions
 constexpr double kRoundedCuts = 0.5 * 1000.0 / 60;  // mm/s: S in whole metres
-constexpr double kRoundedShare = 0.1;               // … which a text says no worse than that
+constexpr double kRoundedShare = 0.1;               // … which a text gives no worse than that
 
 /// A motion, and how far along it the walk has come.
 class Walker {
@@ -69,7 +69,7 @@ class Walker {
     /// Points that were burnt so far.
     std::uint64_t pulses() const { return pulses_; }
 
-    /// Goes on by this way, not farther than the end of the piece. True: the piece is through.
+    /// Goes on by this distance, not farther than the end of the piece. True: the piece is through.
     bool advance(double distance) {
         along_ = std::min(along_ + distance, length_);
         if (length_ - along_ > kNothing) return false;
@@ -142,7 +142,7 @@ bool is_same_speed(double a, double b, double rounding) {
            apart <= std::min(rounding * (1 + 1e-9), kRoundedShare * std::max(a, b));
 }
 
-/// mm of way for each turn of the spindle.
+/// mm of path for each revolution of the spindle.
 double pitch_of(const Segment& piece) {
     return piece.spindle.speed > 0 ? piece.feed / piece.spindle.speed : 0;
 }
@@ -196,7 +196,7 @@ class ComparisonWalk {
     }
 
     /// How long a thread waits for the mark of the spindle hangs on all that came before: any time
-    /// up to a turn is the same wait. No other one is.
+    /// up to a revolution is the same wait. No other one is.
     void meet_threads() {
         const ComparedPoint here = point();
         bool is_mark = true;
@@ -212,7 +212,7 @@ class ComparisonWalk {
         result_.parted = here;
     }
 
-    /// Whether a module goes the same way, by its start, its middle and its end.
+    /// Whether a module takes the same path, by its start, its middle and its end.
     bool mark_alike(const Segment& a, const Segment& b) const {
         const double first = path::length(a.curve);
         const double second = path::length(b.curve);
@@ -224,7 +224,7 @@ class ComparisonWalk {
         return a.train.count == b.train.count;
     }
 
-    /// Side by side until one comes to an end; rounded ways are not equally long, so the second is
+    /// Side by side until one comes to an end; rounded paths are not equally long, so the second is
     /// led to where it is beside the first.
     void walk_stretch(SegmentKind kind) {
         ++result_.stretches;
@@ -249,7 +249,7 @@ class ComparisonWalk {
         if (first_.pulses() != second_.pulses()) part(Parting::Pulses);
     }
 
-    /// Where both are through: along the way one may have come farther.
+    /// Where both are through: along the path one may have come farther.
     void look_at_ends() {
         if (first_.ended_transformed() != second_.ended_transformed()) return;
         const Vec3 carried = first_.ended_transformed()
@@ -290,7 +290,7 @@ class ComparisonWalk {
         return is_at_end(first_) || is_at_end(second_);
     }
 
-    /// By how much the second is ahead of the first along the way, mm.
+    /// By how much the second is ahead of the first along the path, mm.
     double look() {
         if (is_between_systems()) return 0;
         const path::CurvePoint a = first_.here();
@@ -326,7 +326,7 @@ class ComparisonWalk {
         return true;
     }
 
-    /// What makes another workpiece of the same way.
+    /// What makes another workpiece of the same path.
     void compare_cuts() {
         const Segment& a = first_.segment();
         const Segment& b = second_.segment();

@@ -16,7 +16,7 @@ using path::Op;
 using path::Vec3;
 
 /// Lines that are fitted at once; the first half comes out then. What the second half would have
-/// been with more lines behind it changes its own course, and that of the first by little: every
+/// been with more lines behind it changes its own path, and that of the first by little: every
 /// node takes it down to a quarter.
 constexpr std::size_t kWindow = 1024;
 constexpr std::size_t kHalf = kWindow / 2;
@@ -37,7 +37,7 @@ bool is_flat(const path::Cubic& cubic) {
 }
 
 /// As many lines a curve is to take the place of on average, or they stay lines; and where more
-/// than half of the curves are waves. Where the points lie farther off a smooth course than the
+/// than half of the curves are waves. Where the points lie farther off a smooth curve than the
 /// tolerance, curves follow them in waves, whose bends the axes pass more slowly than the corners.
 constexpr std::size_t kLeastLines = 2;
 constexpr std::size_t kLeastLinesOfWaves = 4;
@@ -163,7 +163,7 @@ void Compressor::fit(bool is_whole) {
     points_.erase(points_.begin(), points_.begin() + static_cast<std::ptrdiff_t>(done));
 }
 
-/// Lines as one command, with the place in the text of the last one.
+/// Lines as one command, with the location of the last one.
 void Compressor::put(const path::PolylinePart& part) {
     if (part.is_line) return put_line(part.from);
     path::Motion& motion = ready_.emplace_back(lines_[part.to - 1]).motion();

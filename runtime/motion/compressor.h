@@ -1,7 +1,7 @@
 // compressor.h — short lines that follow each other become cubic spans within a tolerance.
 //
 // Commands in, commands out: what comes out is planned as any other spline. Works while the
-// commands come; a run of any length takes the memory of one window. A tolerance of rounded corners
+// commands come; a run of any length takes the memory of one window. A tolerance of corner blending
 // is less by what a curve has used of it: both leave the programmed path.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace kadr::motion {
 class Compressor {
   public:
     /// Whether a command may be part of a run: a line at feed of X, Y and Z for which the program
-    /// gives a tolerance, and no course of the feed.
+    /// gives a tolerance, and no varying feed.
     static bool can_take(const path::Command& command) {
         if (!command.is_motion() || !(command.motion().compress > 0)) return false;
         const Boxed<path::Dynamics>& dynamics = command.motion().dynamics;
@@ -28,7 +28,7 @@ class Compressor {
 
     /// Takes a command when none is ready. A line joins the run; any other command, a corner of
     /// more than 30 degrees, another feed, an exact stop or a line of more than 20 mm ends it.
-    /// `standing`: where all commands lead that have come out.
+    /// `standing`: where all commands end that have come out.
     void take(const path::Command& command, const AxesPosition& standing);
     /// No more commands come.
     void finish();

@@ -16,11 +16,11 @@ constexpr double kTangent = 1e-6;
 constexpr double kSameCurvature = 1e-6;
 /// Two and a half degrees from turning back: the curve would be a cusp.
 constexpr double kTurnsBack = -0.999;
-/// A motion turns by no more than this within the way that it gives, rad.
+/// A motion turns by no more than this within the distance that it gives, rad.
 constexpr double kMostTurn = 1;
 /// Part of the tolerance that is used: the deviation is known to a fiftieth.
 constexpr double kUsed = 0.98;
-/// A way that uses so much of it is good enough.
+/// A distance that uses so much of it is good enough.
 constexpr double kWellUsed = 0.85;
 constexpr int kTries = 12;
 
@@ -64,8 +64,8 @@ double longest_blend_distance(const std::function<double(double)>& used, double 
         const bool is_good = part <= kUsed;
         (is_good ? good : bad) = distance;
         if (is_good && (distance == most || part >= kWellUsed)) break;
-        // That of a corner grows with the way, that of a jump of the curvature with its square:
-        // from there the mean of a way too short and one too long leads to the goal.
+        // That of a corner grows with the distance, that of a jump of the curvature with its
+        // square: from there the mean of a distance too short and one too long leads to the goal.
         const bool is_enclosed = good > 0 && std::isfinite(bad);
         const double next = is_enclosed ? std::sqrt(good * bad) : distance * (0.99 * kUsed / part);
         distance = std::min(next, most);

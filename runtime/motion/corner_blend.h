@@ -14,10 +14,10 @@
 
 namespace kadr::motion {
 
-/// Less of a way, mm, is a corner.
+/// Less of a distance, mm, is a corner.
 inline constexpr double kLeastBlendDistance = 1e-3;
 
-/// A motion beside the corner: its whole way, and what the program asks for behind it.
+/// A motion beside the corner: its whole path, and what the program asks for behind it.
 struct BlendedSide {
     const path::Curve& curve;
     path::Blending blending;
@@ -28,7 +28,7 @@ struct CornerBlend {
     path::Transition curve;  // two pieces before the middle, two behind it
 };
 
-/// Where two curves meet, and what a curve around that place would be like.
+/// Where two curves meet, and what a curve around that point would be like.
 class BlendedCorner {
   public:
     /// before, behind  have to live as long
@@ -51,16 +51,16 @@ class BlendedCorner {
     path::CurvePoint out_;
 };
 
-/// The longest way up to `most` of which no more than all of a tolerance is used, or nearly the
-/// longest; 0 if there is none.
+/// The longest distance up to `most` of which no more than all of a tolerance is used, or nearly
+/// the longest; 0 if there is none.
 ///
-/// used  part of the tolerance that a way takes, known to a fiftieth
+/// used  part of the tolerance that a distance takes, known to a fiftieth
 double longest_blend_distance(const std::function<double(double)>& used, double most);
 
-/// How far from a corner its curve begins by a blending that says a distance.
+/// How far from a corner its curve begins by a blending that gives a distance.
 double distance_of(const path::Blending& before, const path::Blending& behind);
 
-/// How far a curve may leave the path of either motion by a blending that says a tolerance.
+/// How far a curve may leave the path of either motion by a blending that gives a tolerance.
 double tolerance_of(const path::Blending& before, const path::Blending& behind);
 
 /// The curve around the corner between two motions.
@@ -70,7 +70,7 @@ double tolerance_of(const path::Blending& before, const path::Blending& behind);
 /// behind it has a distance of its own, as at rapid, also that one; and so is a tolerance, for the
 /// curve leaves the path of both.
 ///
-/// returns   nothing if there is no corner, if it turns back, or if nothing is left of the way
+/// returns   nothing if there is no corner, if it turns back, or if no distance is left
 /// source    reference motion §2.4, rule 4; sinumerik §3.3 (G641, G642, G645)
 std::optional<CornerBlend> corner_blend(const BlendedSide& before, const BlendedSide& behind);
 

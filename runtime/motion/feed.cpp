@@ -20,7 +20,7 @@ Result<double, FeedFault> feed_per_revolution(double feed, const path::Curve& cu
     return feed * 6 / (1 / first + 4 / middle + 1 / last);
 }
 
-/// From the slowest to the fastest place of a part its feed grows by this factor at most; the mean
+/// From the slowest to the fastest point of a part its feed grows by this factor at most; the mean
 /// over it is then within a hundredth of every one.
 constexpr double kEven = 1.018;
 /// No part is shorter, mm: beside the axis the spindle would run away.
@@ -73,7 +73,7 @@ void cut_evenly(const Uneven& uneven, const Part& part, std::vector<double>& bou
     cut_evenly(uneven, {middle, part.to}, bounds);
 }
 
-/// What the program says of the feed axes, if F is not about X, Y and Z; of a thread it never is.
+/// What is programmed of the feed axes, if F is not about X, Y and Z; of a thread it never is.
 const path::Dynamics* feed_axes_of(const path::Motion& motion) {
     if (!motion.dynamics || motion.op() == path::Op::Thread) return nullptr;
     static const path::Dynamics kPlain;
@@ -88,7 +88,7 @@ const path::Dynamics* feed_axes_of(const path::Motion& motion) {
 Result<double, FeedFault> path_feed(const path::Motion& motion, const Segment& piece, double length,
                                     const CommandedSpindle& spindle, const AxisTable* axes) {
     if (!(motion.feed > 0)) return FeedFault::NoFeed;
-    // The time of the block is what it is, whatever the way that F is about.
+    // The time of the block is what it is, whatever the path that F is about.
     if (motion.feed_mode == path::FeedMode::InverseTime) return length * motion.feed / 60;
     const path::Dynamics* programmed = feed_axes_of(motion);
     const double rate =

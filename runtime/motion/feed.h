@@ -16,11 +16,11 @@ namespace kadr::motion {
 
 enum class FeedFault : std::uint8_t { NoFeed, SpindleStands };
 
-/// Path speed of a Line or an Arc over a piece, mm/s (deg/s if it only turns).
+/// Path speed of a Line or an Arc over a piece, mm/s (deg/s if only rotary axes move).
 ///
 /// Under constant cutting speed it is the mean over the piece in time, by Simpson's rule over the
 /// radius: exact on a line as long as the spindle does not reach a limit.
-/// Where the program has said of which axes F is the speed, it is infinite if none of them moves.
+/// Where the program has chosen the feed axes, it is infinite if none of them moves.
 /// length       of the path, mm (deg), > 0
 /// axes         may be null: of a transformed piece only axes that follow it are known then
 /// source       reference motion §2.8, §9.1; feed_axes.h

@@ -1,6 +1,6 @@
 // feed_axes.h — how fast the axes go of which F is the speed, where the path goes at speed 1.
 //
-// A program may say of which axes F is the speed; the path of a piece stays that of X, Y and Z.
+// A program may choose of which axes F is the speed; the path of a piece stays that of X, Y and Z.
 #pragma once
 
 #include "motion/axis_table.h"
@@ -9,17 +9,17 @@
 
 namespace kadr::motion {
 
-/// Speed of the feed axes together where the path goes at 1 mm/s (deg/s if it only turns); rotary
-/// axes count at their radii.
+/// Speed of the feed axes together where the path goes at 1 mm/s (deg/s if only rotary axes move);
+/// rotary axes count at their radii.
 ///
 /// Where no feed axis moves, and no other one but rotary axes, these count instead; where others
-/// move the answer is 0: F says nothing of the motion, and its axes have their limits.
+/// move the answer is 0: F does not count for the motion, and its axes have their limits.
 /// distance     along the piece; of a transformed piece its start or its end is meant
 /// source       SINUMERIK reference 2.3 (FGROUP, FGREF)
 double feed_axes_rate(const path::Dynamics& dynamics, const Segment& piece, double distance,
                       const AxisTable* axes);
 
-/// The mean over a piece, whose time is then that of F along the way of the feed axes.
+/// The mean over a piece, whose time is then that of F along the path of the feed axes.
 double mean_feed_axes_rate(const path::Dynamics& dynamics, const Segment& piece, double length,
                            const AxisTable* axes);
 

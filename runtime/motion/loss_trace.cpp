@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSame = 1e-6;
 // A loss below is rounding, s.
 constexpr double kNoTime = 1e-9;
-// A ramp over more pieces is told as if it ended at rest: memory stays bounded.
+// A ramp over more pieces is reported as if it ended at rest: memory stays bounded.
 constexpr std::size_t kMostBraking = 1 << 16;
 
 bool reaches(double speed, double limit) { return speed >= limit * (1 - kSame); }
@@ -106,11 +106,12 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
         (profile.rate->exit > profile.rate->entry ? ramps.up : ramps.down) = loss;
         return ramps;
     }
-    // A part of the way on which the speed goes from one value to another.
+    // A part of the path on which the speed goes from one value to another.
     const auto change = [&](double from, double to, double time, double distance) {
         double loss = time - distance / speed;
         if (profile.is_smooth) {
-            // At constant acceleration this change needs less time, and leaves way for the speed.
+            // At constant acceleration this change takes less time, and leaves distance for the
+            // speed.
             const double least = std::abs(to - from) / piece.acceleration;
             const double left = distance - 0.5 * (from + to) * least;
             const double more = time - least - std::max(0.0, left) / speed;
@@ -131,7 +132,7 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
                ramp_distance(top, profile.exit_speed, profile.braking));
         return ramps;
     }
-    // Phases of one direction go together: only from end to end of a ramp is the jerk told.
+    // Phases of one direction go together: only from end to end of a ramp is the jerk reported.
     ProfileState at{0, profile.entry_speed, 0};
     ProfileState begin = at;
     double time = 0;
@@ -154,7 +155,7 @@ LossTrace::Ramps LossTrace::ramps_of(const Piece& piece, double speed) {
     return ramps;
 }
 
-/// What the place between the piece before and this one means for the ramps beside it.
+/// What the point between the piece before and this one means for the ramps beside it.
 void LossTrace::pass_junction(const Piece& piece, double speed) {
     const double entry = piece.segment.profile.entry_speed;
     if (entry == 0) {
@@ -174,7 +175,7 @@ void LossTrace::pass_junction(const Piece& piece, double speed) {
     }
 }
 
-/// The slow place that the path was braked for.
+/// The slow point that the path was braked for.
 void LossTrace::settle(LossReason reason) {
     for (SpeedLoss& loss : braking_) {
         loss.reason = reason;

@@ -1,8 +1,8 @@
 // loss_trace.h — finds for every planned piece why it takes longer than its feed would.
 //
 // Sees pieces with their profiles in the order of the path. What a limit inside the piece costs is
-// told at once, and so is what it costs to get up to speed again; what braking costs waits for the
-// slow place that it is for.
+// reported at once, and so is what it costs to get up to speed again; what braking costs waits for
+// the slow point that it is for.
 #pragma once
 
 #include <functional>
@@ -52,7 +52,7 @@ class LossTrace {
     const machine::Machine& machine_;
     const AxisTable& axes_;
     Report report_;
-    std::vector<SpeedLoss> braking_;  // for a slow place that has not come yet
+    std::vector<SpeedLoss> braking_;  // for a slow point that has not come yet
     LossReason up_ = LossReason::Stop;
     double last_speed_ = 0;  // limit inside the piece before
 };

@@ -13,12 +13,12 @@ using machine::Chain;
 using path::CurvePoint;
 using path::Vec3;
 
-/// Between two nodes of a way no rotary axis turns farther, rad.
+/// Between two nodes of a path no rotary axis turns farther, rad.
 constexpr double kNodeTurn = 0.2;
-/// A swing of R1 near the pole may be cut as finely as this, in parts of the way.
+/// A swing of R1 near the pole may be cut as finely as this, in parts of the path.
 constexpr double kFinest = 1e-9;
 
-/// The derivatives of the rotary axes come from places so far apart, in parts of the path to the
+/// The derivatives of the rotary axes come from points so far apart, in parts of the path to the
 /// next end of the motion.
 constexpr double kStencil = 1.0 / 64;
 /// Speeds of the rotary axes that differ by less, rad/mm, go on.
@@ -35,7 +35,7 @@ double most_turn(const LogicalAxes& a, const LogicalAxes& b) {
 
 }  // namespace
 
-// ------------------------------------------------------------------------------ the way
+// ------------------------------------------------------------------------------ the path
 
 OrientationPath::OrientationPath(const Chain& chain, const Segment& whole)
     : chain_(&chain), whole_(&whole) {
@@ -122,7 +122,7 @@ class OrientationCorner {
         return (at_corner - (out.tangent - beside * out.curvature)).norm() < kSameRate;
     }
 
-    /// How far the tool is from the direction that it has on the programmed way, rad.
+    /// How far the tool is from the direction that it has on the programmed path, rad.
     double leaning(double distance) const {
         const path::Transition curve = joints(distance);
         double most = 0;

@@ -1,7 +1,7 @@
-// orientation_corner.h — the curve around the corner between two motions on which the tool turns.
+// orientation_corner.h — the curve around a corner of motions that change the orientation.
 //
-// Under the transformation of the machine a corner is a corner of the tip, of the way on which the
-// tool turns, or of both: where a great circle goes over into another one the tip may go straight
+// Under the transformation of the machine a corner is a corner of the tip, of the orientation of
+// the tool, or of both: where a great circle goes over into another one the tip may go straight
 // on, and yet the rotary axes have another speed at once. Tip and rotary axes are led around it on
 // one and the same part of the path (path/transition.h).
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace kadr::motion {
 
-/// The way of the axes on a motion of any length, found once from its start.
+/// The path of the axes on a motion of any length, found once from its start.
 class OrientationPath {
   public:
     /// chain, whole  have to live as long
@@ -52,7 +52,7 @@ struct OrientationBlend {
 /// `orientation` of the blending before the corner.
 ///
 /// returns   nothing if neither tip nor rotary axes have a corner, if the tip turns back, or if
-///           nothing is left of the way
+///           no distance is left
 std::optional<OrientationBlend> orientation_blend(const machine::Chain& chain,
                                                   const OrientationPath& before,
                                                   const path::Blending& wish,
@@ -60,10 +60,10 @@ std::optional<OrientationBlend> orientation_blend(const machine::Chain& chain,
                                                   const path::Blending& wish_behind);
 
 /// The tip stays on its path, corner or not, and the rotary axes alone are led around theirs: their
-/// speed and how it changes go on along the path, on a way as long as the tolerance allows.
+/// speed and how it changes go on along the path, on a distance as long as the tolerance allows.
 ///
 /// tolerance  how far the tool may be from its programmed direction, rad
-/// returns    nothing if the rotary axes have no corner, or if nothing is left of the way
+/// returns    nothing if the rotary axes have no corner, or if no distance is left
 std::optional<OrientationBlend> smoothed_orientation(const machine::Chain& chain,
                                                      const OrientationPath& before,
                                                      const OrientationPath& behind,

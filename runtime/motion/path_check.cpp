@@ -25,8 +25,8 @@ namespace {
 using path::Command;
 using path::Vec3;
 
-/// So exact are places without a tolerance, mm: rounding of long ways through the kinematics, far
-/// below an increment.
+/// So exact are points without a tolerance, mm: rounding of long distances through the kinematics,
+/// far below an increment.
 constexpr double kExact = 1e-6;
 /// Behind the end of a transformation the tip is where the axes are, which the planner knows by
 /// following the tool and the program by solving for it: rounding of angles, at the length of an
@@ -40,9 +40,9 @@ constexpr double kSureEnd = 1e-3;
 /// More motions do not wait while the tip stands within the tolerance of the end of one.
 constexpr std::size_t kMostWaiting = 1 << 14;
 /// The tip counts as on the end of a motion while it is within its tolerance, although it may have
-/// gone on; so many tolerances of way, at most, are made up for at once.
+/// gone on; so many tolerances of distance, at most, are made up for at once.
 constexpr double kBehind = 8;
-/// A path may be so much longer than the way that the tip takes within the tolerance of it.
+/// A path may be so much longer than the distance that the tip goes within the tolerance of it.
 constexpr double kLonger = 2;
 
 bool keeps(const ProgrammedMotion& motion, const Nearness& near) {
@@ -78,14 +78,14 @@ class Layer {
   public:
     explicit Layer(const machine::Machine& machine)
         : machine_(machine), standing_(machine), axes_(machine) {
-        // X, Y and Z stand in front in every machine that has them all; others take the long way.
+        // X, Y and Z stand in front in every machine that has them all; others take the long path.
         is_plain_ = machine.axes.size() >= 3;
         for (std::size_t i = 0; is_plain_ && i < 3; ++i)
             is_plain_ = index(machine.axes[i].axis) == i;
         if (is_plain_) followers_ = machine.axes.size() - 3;
         if (!machine.kinematics) return;
         const machine::Kinematics& kinematics = *machine.kinematics;
-        // A way near a pole is led through it; one beside a gap that the axes cannot reach, beside
+        // A path near a pole is led through it; one beside a gap that the axes cannot reach, beside
         // it by half as much again.
         pole_ = kinematics.pole_tolerance;
         if (kinematics.chain.orients())
@@ -146,7 +146,7 @@ class Layer {
             segment = standing_.still();
             out.length = standing_.lay_path(motion, target, segment);
             find_turns(*out.motion);
-            // From point to point the tip is told as without a transformation.
+            // From point to point the tip is given as without a transformation.
             out.system = 2 * system_ + (segment.goes_straight() ? 1 : 0);
             return;
         }
@@ -303,7 +303,7 @@ double PathCheck::State::reach() const {
 }
 
 /// The tip is on the first motion still. One that goes forth and back within the tolerance of it is
-/// on its way along the next ones, and nobody can see on which.
+/// on its path along the next ones, and nobody can see on which.
 void PathCheck::State::stay(double at, const Vec3& tip_now) {
     if (at <= parameter && has_begun) aside += (tip_now - before).norm();
     parameter = std::max(parameter, at);
@@ -480,7 +480,7 @@ std::optional<PathDeviation> PathCheck::State::left_out_before(std::size_t at) {
         if (motion.system != system_before || motion.system != tool_system) continue;
         if (widest > kSureEnd) break;
         const double allowed = 3 * widest + reach() / 2;
-        // The tip was there, and has come back beside its way since.
+        // The tip was there, and has come back beside its path since.
         if (i == 0 && motion.length - distance_to(motion, parameter) <= allowed) continue;
         const double off = path::distance_to_line(end_of(*chain, motion), before, tool.tip);
         if (off > allowed) return deviation_of(DeviationKind::LeftOut, motions[i], off, allowed);

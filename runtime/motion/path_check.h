@@ -1,11 +1,11 @@
-// path_check.h — setpoints held against the path that the program says.
+// path_check.h — setpoints held against the path that is programmed.
 //
 // The last look at what a machine is given, by other means than those that made it. The commands
-// are taken as the planner reads them, before lines are compressed, corners are rounded and motions
+// are taken as the planner reads them, before lines are compressed, corners are blended and motions
 // are cut into pieces, and each is laid as one curve. The tip of every setpoint, worked out from
 // its axes by the chain of the machine, is led along these curves: it has to be within the
 // tolerance that is in force, in the order of the program, and where there is no tolerance none of
-// the ends between two setpoints may be left out. No speed takes part but to tell how far the tip
+// the ends between two setpoints may be left out. No speed takes part but to know how far the tip
 // may have come in a tick, and nothing that was planned.
 //
 // A setpoint counts to the first motion that it can belong to: if there is any way to lead the
@@ -28,11 +28,11 @@
 
 namespace kadr::motion {
 
-/// What is not as the program says.
+/// What is not as programmed.
 enum class DeviationKind : std::uint8_t {
     Tip,        // the tip is beside the path, mm
-    LeftOut,    // the path goes through a place that the tip keeps away from, mm
-    Tool,       // the tool leans from its direction, rad
+    LeftOut,    // the path goes through a point that the tip keeps away from, mm
+    Tool,       // the tool deviates from its direction, rad
     Followers,  // an axis beside X, Y, Z is somewhere else, rad or mm
     End,        // the motion ends before the path does, mm
 };
@@ -52,7 +52,7 @@ class PathCheck {
     ~PathCheck();
 
     /// The next command, as the planner reads it. Another thread than that of the setpoints may
-    /// tell them.
+    /// give them.
     void read(const path::Command& command);
 
     /// The next setpoints, whose commands have all been read; not done if one of them, or an

@@ -33,7 +33,7 @@ struct Piece {
     double ramp_before = 1;
     /// … to all pieces within a tick of it, if other corners are so near
     double crowd_ramp = 1;
-    /// … on so much of their ways beside the corner, mm (deg); 0: on all of them.
+    /// … on so much of their paths beside the corner, mm (deg); 0: on all of them.
     double corner_zone = 0;
     double corner_zone_before = 0;
     double jerk_share = 1;  // the same of the jerk, where the curvature jumps
@@ -45,15 +45,15 @@ struct Piece {
     std::size_t issues = 0;        // so many M functions are issued where it begins
     bool awaits = false;           // stands until all that was issued is acknowledged
     bool awaits_mark = false;      // stands until the spindle is at `mark`
-    double mark = 0;               // of a turn
+    double mark = 0;               // of a revolution
     double programmed = 0;         // feed at 100 %, of the tool; rapid: what the axes can
     bool is_cell = false;          // planned as `cell` instead
     bool is_geared = false;        // to the spindle: its acceleration begins and ends at once
     bool follows_spindle = false;  // as of a Stretch
-    bool has_dynamics = false;     // the program says what of their limits the axes have
+    bool has_dynamics = false;     // the program chooses how much of their limits the axes have
     BentCell cell;
     VaryingFeed varying_feed;  // is_on: the feed changes along it
-    /// As a Stretch counts it: mm (deg), or s of its course.
+    /// As a Stretch counts it: mm (deg), or s of its varying feed.
     double extent() const { return varying_feed.is_on() ? varying_feed.time : length; }
     AxisRates rates{};  // dq/ds at its start
     AxisTable::Loads loads;
@@ -77,7 +77,7 @@ class PieceRing {
     const Piece& back(std::size_t i) const {
         return pieces_[(first_ + count_ - 1 - i) & (pieces_.size() - 1)];
     }
-    /// Behind the i-th from the end, whose place and those behind it move on: the fresh one is
+    /// Behind the i-th from the end, whose index and those behind it move up: the fresh one is
     /// then the i-th from the end.
     Piece& insert_behind(std::size_t i) {
         push_back();

@@ -84,7 +84,7 @@ struct PlannerOptions {
     std::function<std::int32_t(std::uint32_t line)> number_of;
     /// Gets what keeps every piece below what it asks for, and what that costs; empty: nobody asks.
     std::function<void(const SpeedLoss&)> report_loss;
-    /// Who acknowledges M functions; null: the machine's file says when.
+    /// Who acknowledges M functions; null: the machine's file tells when.
     Plc* plc = nullptr;
     std::size_t lookahead = 1024;  // pieces known ahead at least, the current one included
     CornerRule corner_rule = CornerRule::AxisJump;

@@ -24,7 +24,7 @@ double polygon(const Points<N>& points) {
 }
 
 /// Newton's iteration for the foot of the tip, as programmed_path.h does it, but it ends as soon as
-/// the answer is sure: a place within the tolerance with its foot near, or an end that the tip has
+/// the answer is sure: a point within the tolerance with its foot near, or an end that the tip has
 /// gone past. A tip beside the middle is left to a closer look.
 ///
 /// lower  the least parameter that the tip may have
@@ -55,7 +55,7 @@ PlainLook foot_on(const Points<N>& points, const Vec3& tip, double tolerance, do
     return {LookResult::Unknown, u};
 }
 
-/// What a span's points say; a line has none.
+/// What a span's points tell; a line has none.
 template <typename Answer, typename Ask>
 Answer of_span(const PlainMotion& plain, const Ask& ask) {
     if (const auto* cubic = std::get_if<path::Cubic>(&plain.curve)) return ask(*cubic);

@@ -1,4 +1,4 @@
-// plain_motion.h — a motion on which nothing but X, Y and Z moves, as the program says it, where a
+// plain_motion.h — a motion on which nothing but X, Y and Z moves, as programmed, where a
 // setpoint is judged in some nanoseconds.
 //
 // What most of a program is: lines, and spans of splines that go on towards their end. Who asks
@@ -17,26 +17,26 @@
 
 namespace kadr::motion {
 
-/// Where a setpoint is, as far as a plain way tells.
+/// Where a setpoint is, as far as a plain motion tells.
 struct PlainLook {
     enum class LookResult : std::uint8_t {
         On,       // within the tolerance of it
-        Beside,   // not, nor on any place that the tip may have come to from there
+        Beside,   // not, nor on any point that the tip may have come to from there
         Unknown,  // perhaps
     };
     LookResult side = LookResult::Unknown;
-    double parameter = 0;  // On: the foot, in the way's own parameter
+    double parameter = 0;  // On: the foot, in the motion's own parameter
 };
 
 struct PlainMotion {
-    /// A line, whose places are told in mm; or a steady span (path/steady.h), by its parameter.
+    /// A line, whose points are given in mm; or a steady span (path/steady.h), by its parameter.
     std::variant<path::Line, path::Cubic, path::Quintic> curve;
     double length = 0;                          // mm: of a span, a bound that is never too small
     path::Vec3 carrier = path::Vec3::Zero();    // from the tip to what X, Y and Z carry, mm
     std::array<double, kFollowers> standing{};  // beside X, Y and Z, in the order of the machine
 };
 
-/// The way along a curve, for the caller to complete.
+/// The motion along a curve, for the caller to complete.
 PlainMotion plain_motion_of(const path::Line& line);
 PlainMotion plain_motion_of(const path::SteadySpan& steady);
 
@@ -74,10 +74,10 @@ inline PlainLook look_on_line(const path::Line& line, const path::Vec3& tip, dou
     return {is_on ? PlainLook::LookResult::On : PlainLook::LookResult::Beside, foot};
 }
 
-/// Whether a tip is on the way, not much before a place.
+/// Whether a tip is on the motion, not much before a parameter.
 ///
 /// tolerance  mm
-/// parameter      in the way's own parameter, from which on the tip has come
+/// parameter  in the motion's own parameter, from which on the tip has come
 inline PlainLook look_at(const PlainMotion& plain, const path::Vec3& tip, double tolerance,
                          double parameter) {
     const auto* line = std::get_if<path::Line>(&plain.curve);
@@ -87,7 +87,7 @@ inline PlainLook look_at(const PlainMotion& plain, const path::Vec3& tip, double
 
 double bound_on_span(const PlainMotion& plain, double parameter);
 
-/// How far along the way a place is, mm: of a span, a bound that is never too small.
+/// How far along the motion a parameter is, mm: of a span, a bound that is never too small.
 inline double travel_bound(const PlainMotion& plain, double parameter) {
     return is_line(plain) ? parameter : bound_on_span(plain, parameter);
 }

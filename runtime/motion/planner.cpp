@@ -75,7 +75,7 @@ void Planner::State::hand_on(const Piece& piece, double exit_limit) {
         const RateLimits rate = rate_limits(varying_feed, piece.acceleration, piece.jerk);
         stretch.length = varying_feed.time;
         stretch.speed = 1;
-        // The course is that of the highest override.
+        // The varying feed is that of the highest override.
         if (std::isfinite(piece.feed_asked))
             stretch.feed_asked = piece.programmed / varying_feed.most;
         stretch.acceleration = rate.acceleration;

@@ -7,7 +7,7 @@
 // stand until an event lets them.
 //
 // What cannot be held is run to its end, all pieces of it that follow each other: a thread, a tap
-// out of its hole again. A tool change or the turning of the spindle to an angle is finished, and
+// out of its hole again. A tool change or the motion of the spindle to an angle is finished, and
 // the hold acts behind it.
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ bool Planner::State::next_operated(Segment& segment) {
     return end();
 }
 
-/// Tells the panel if a block begins with the piece.
+/// Informs the panel if a block begins with the piece.
 void Planner::State::note_block(const Piece& piece) {
     if (piece.segment.line == operated.line) return;
     operated.line = piece.segment.line;
@@ -225,7 +225,7 @@ void Planner::State::split_current(double length, double exit_speed) {
 }
 
 /// The current stretch, as far as it is not delivered, is to be begun anew, in this state, which is
-/// told in the stretch's own unit.
+/// given in the stretch's own unit.
 void Planner::State::interrupt(const PathMoment& moment) {
     Stretch rest = current.limits;
     rest.entry_limit = current.limits.speed;

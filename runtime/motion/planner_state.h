@@ -1,6 +1,6 @@
 // planner_state.h — what the planner knows between two segments. Internal to motion.
 //
-// Its functions are told in chapters: planner.cpp (the way of the pieces through the look-ahead),
+// Its functions are in chapters: planner.cpp (the path of the pieces through the look-ahead),
 // planner_operated.cpp (an operator changes overrides meanwhile).
 #pragma once
 

@@ -1,8 +1,8 @@
 // plc.h — who acknowledges M functions, and when.
 //
-// The seam between the motion and what stands for the machine's PLC: the planner says when an M
+// The seam between the motion and what stands for the machine's PLC: the planner tells when an M
 // function is issued, in the time of the plan, and gets the time at which it is done. MachinePlc
-// answers as the machine's file tells; another one may simulate a clamp, a tool magazine, a door.
+// answers as the machine's file has it; another one may simulate a clamp, a tool magazine, a door.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ class Plc {
     virtual double acknowledged(const IssuedFunction& function) = 0;
 };
 
-/// A function takes as long as the machine's file says; one that it does not name no time.
+/// A function takes as long as the machine's file gives; one that it does not name no time.
 class MachinePlc final : public Plc {
   public:
     explicit MachinePlc(const machine::Machine& machine) : machine_(machine) {}

@@ -12,7 +12,7 @@ namespace kadr::motion {
 
 class PlcHandshake {
   public:
-    /// plc  who acknowledges; null: the machine's file says when. References outlive it
+    /// plc  who acknowledges; null: the machine's file tells when. References outlive it
     PlcHandshake(const machine::Machine& machine, Plc* plc) : machine_plc_(machine), plc_(plc) {}
 
     /// A piece begins, and with it its M functions; one that awaits them stands until all that was

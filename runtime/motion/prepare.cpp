@@ -157,7 +157,7 @@ void Preparer::State::execute(const Command& command) {
         case Op::End: last.must_stop = true; return;
         case Op::Function: issue(command); return;
         case Op::External: stand(command, SegmentKind::External, command.external().time); return;
-        // The module that they are for takes them out; without one they say nothing.
+        // The module that they are for takes them out; without one they have no effect.
         case Op::ScannerOn:
         case Op::ScannerOff:
         // Switched while moving: a control does not stop for them.
@@ -394,7 +394,7 @@ bool Preparer::State::allows_cells(const Command& command) const {
     // The pulses of a laser time whole blocks.
     if (axes.limits_jerk() || command.op() == Op::Thread || has_pulses()) return false;
     if (has_law(command)) return false;
-    // A cell has one course of its speed, which an event would break.
+    // A cell has one profile of its speed, which an event would break.
     if (!options.events.empty()) return false;
     return command.motion().feed_mode == path::FeedMode::PerMinute;
 }

@@ -22,7 +22,7 @@ class Preparer {
              PieceRing& pieces);
     ~Preparer();
 
-    /// Appends the pieces of the next command that has any, and tells how many; 0 at the end.
+    /// Appends the pieces of the next command that has any, and returns how many; 0 at the end.
     std::size_t next();
 
     std::uint64_t commands() const;

@@ -1,4 +1,4 @@
-// Rounded corners: a motion behind which the program lets the control round the corner waits for
+// Corner blending: a motion behind which the program lets the control blend the corner waits for
 // the next one, and the curve around the corner takes the place of the end of one and of the
 // beginning of the other, unless the corner as it is takes less time. Its first half belongs to the
 // motion before, with its feed and its line of the text, its second half to the one behind.
@@ -28,7 +28,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAsQuick = 1.001;
 
 /// Of two motions the longer one is at most so many times as long as the shorter one where halves
-/// of the shorter one say enough of both.
+/// of the shorter one tell enough of both.
 constexpr double kEven = 2;
 
 /// Under a limit of the jerk a curve and what is beside it may become one stretch, which costs up
@@ -58,7 +58,7 @@ struct Alternative {
     }
     /// It has to take less than so many times the time of the corner …
     double allowed() const { return is_as_fast() ? kAsQuick : 1; }
-    /// … which takes `time` on so much of the ways on both sides of it.
+    /// … which takes `time` on so much of the paths on both sides of it.
     double allowed_for(double time, const std::array<double, 2>& distances) const {
         if (!is_doubtful) return allowed() * time;
         const double without_ramps =
@@ -103,7 +103,7 @@ bool is_quicker_between_rests(const Alternative& curve) {
 
 /// Whether the curve takes less time than the corner, which may be passed or be a stop, whatever
 /// becomes of it when its pieces are planned. Ramps end in the middles of both motions; beside a
-/// short one that says little of the long one, so both are looked at from rest to rest as well.
+/// short one that tells little of the long one, so both are looked at from rest to rest as well.
 bool saves_time(const Alternative& curve) {
     const double half = std::min(curve.lengths[0], curve.lengths[1]) / 2;
     double on_curve = 0;
@@ -140,8 +140,8 @@ constexpr bool is_blended(Op op) {
 
 }  // namespace
 
-/// The path speed that the program asks for; nothing if it cannot be said, which is reported when
-/// the motion becomes pieces. Without the operator's override: the way does not depend on it.
+/// The path speed that the program asks for; nothing if it cannot be known, which is reported when
+/// the motion becomes pieces. Without the operator's override: the path does not depend on it.
 std::optional<double> Preparer::State::feed_of(const Command& command, const Segment& segment,
                                                double length) const {
     if (command.op() == Op::Rapid) return kInfinity;
@@ -151,7 +151,7 @@ std::optional<double> Preparer::State::feed_of(const Command& command, const Seg
 }
 
 /// Whether there can be a curve before or behind a motion. Axes beside X, Y, Z have no curve but
-/// those that turn the tool, and the pulses of a laser burn the programmed points.
+/// those that orient the tool, and the pulses of a laser burn the programmed points.
 bool Preparer::State::can_be_blended(const Command& command, const Segment& segment,
                                      const EndState& arrival) const {
     if (!is_blended(command.op()) || has_pulses() || segment.is_rotary_only) return false;
@@ -183,13 +183,13 @@ void Preparer::State::release() {
     emit_rest(held.command, held.segment, held.length, held.from);
 }
 
-/// The same; the corner behind it was to be rounded, and no curve pays.
+/// The same; the corner behind it was to be blended, and no curve pays.
 void Preparer::State::keep_sharp() {
     release();
     stays_sharp = true;
 }
 
-/// A motion from a place on its way on.
+/// A motion from a point on its path on.
 void Preparer::State::emit_rest(const Command& command, const Segment& whole, double length,
                                 double from) {
     if (whole.is_transformed()) {
@@ -238,7 +238,7 @@ double Preparer::State::round_corner(const Command& command, const Segment& segm
     return found->distance;
 }
 
-/// Time along ways under the transformation: where the axes keep one below its feed, by the parts
+/// Time along paths under the transformation: where the axes keep one below its feed, by the parts
 /// that one speed suits.
 double Preparer::State::time_along(std::span<const Segment> ways, const Command& command) const {
     double time = 0;
@@ -260,7 +260,7 @@ double Preparer::State::time_along(std::span<const Segment> ways, const Command&
     return time;
 }
 
-/// Whether the way around a corner takes less time than the corner as it is, or than a stop there.
+/// Whether the path around a corner takes less time than the corner as it is, or than a stop there.
 bool Preparer::State::gains_time(const OrientationBlend& around, const Command& command,
                                  const OrientationPath& before, const OrientationPath& behind,
                                  CornerAsItIs as_it_is) {
@@ -299,9 +299,10 @@ bool Preparer::State::gains_time(const OrientationBlend& around, const Command& 
     return saves_time(curve);
 }
 
-/// The way of tip and tool around the corner between two motions, if the program asks for one and
+/// The path of tip and tool around the corner between two motions, if the program asks for one and
 /// it takes less time than the corner. Under a limit of the jerk the corner is a stop then: small
-/// turns of the tool at a corner of the tip would let the rotary axes jump, which costs no time.
+/// changes of orientation at a corner of the tip would let the rotary axes jump, which costs no
+/// time.
 OrientationAtCorner Preparer::State::blended_orientation(const Command& command,
                                                          const OrientationPath& before,
                                                          const OrientationPath& behind) {
@@ -316,7 +317,7 @@ OrientationAtCorner Preparer::State::blended_orientation(const Command& command,
     return {std::nullopt, rests};
 }
 
-/// The way of the tool alone, while the tip stays on its path: likewise. Else the corner stays as
+/// The path of the tool alone, while the tip stays on its path: likewise. Else the corner stays as
 /// it would be without.
 std::optional<OrientationBlend> Preparer::State::smoothed_path(const Command& command,
                                                                const OrientationPath& before,
@@ -329,7 +330,7 @@ std::optional<OrientationBlend> Preparer::State::smoothed_path(const Command& co
     return found;
 }
 
-/// The same on which the tool turns: its way is rounded, too, or it alone.
+/// The same where the orientation changes: its path is blended, too, or it alone.
 double Preparer::State::blend_orientation_corner(const Command& command, const Segment& segment,
                                                  double length) {
     if (held.segment.carrier != segment.carrier) return release(), 0;

@@ -21,7 +21,7 @@ constexpr double kSharedRamp = 0.5;  // half and half
 constexpr double kMostRamp = 0.9;    // the jump has up to 42 % then
 // … where ramps have so little within a tick of the corner alone.
 constexpr double kZoneRamp = 0.02;
-// A piece that is so many times as long as that way beside a corner has its acceleration elsewhere.
+// A piece so many times as long as that beside a corner has its acceleration elsewhere.
 constexpr double kZones = 4;
 // Ramps that lack less are not worth pieces of their own.
 constexpr double kWholeRamp = 0.98;
@@ -30,7 +30,7 @@ constexpr double kCrowding = 1.125;
 // Between blocks that are shorter, mm (deg), a corner is never a stop: contours of short blocks
 // shall run through, and a rest at every one of them shakes the machine; but where a curve is asked
 // for and does not pay, one that is quicker is taken. Under a transformation neither beside one:
-// axes need a way to get up to their speed.
+// axes need a distance to get up to their speed.
 constexpr double kShortBlock = 1;
 constexpr double kStraight = 1e-9;  // as in corner.cpp
 // Halvings of a speed or a share: to a thousandth.
@@ -70,7 +70,8 @@ double Preparer::State::corner_speed(const Segment& segment, const AxisRates& in
 ///
 /// The setpoints see the ramps within a tick of the corner alone. Under a limit of the jerk the
 /// acceleration vanishes where a stretch ends (stretch.h), so there it is no more than the jerk
-/// makes of it in a tick; without one, a piece that is long enough has less on a short way only.
+/// makes of it in a tick; without one, a piece that is long enough has less on a short distance
+/// only.
 void Preparer::State::take_corner(Piece& piece) const {
     if (piece.entry_limit > kNoCorner * std::min(last.speed, piece.speed))
         piece.entry_limit = kInfinity;
@@ -180,15 +181,16 @@ bool Preparer::State::has_own_ramps(const Piece& piece, double speed) const {
 }
 
 /// Whether pieces may be cut beside a corner, so that they have less acceleration there alone. The
-/// pulses of a laser time whole blocks that burn, and a thread has its pitch on all of its way.
+/// pulses of a laser time whole blocks that burn, and a thread has its pitch on all of its path.
 bool Preparer::State::allows_zones(const Piece& piece) const {
     const bool is_timed = has_pulses() && burns_point;
     return !axes.limits_jerk() && !is_timed && !piece.segment.is_thread &&
            !piece.varying_feed.is_on() && std::isinf(last.exit_feed);
 }
 
-/// The way beside a corner on which ramps have this part of their acceleration: that of a tick; of
-/// two where the jump is less than the ramps, for then setpoints that see half of it see most.
+/// The distance beside a corner on which ramps have this part of their acceleration: that of a
+/// tick; of two where the jump is less than the ramps, for then setpoints that see half of it see
+/// most.
 double Preparer::State::corner_zone(const Piece& piece, double speed, double ramp) const {
     const double time = (ramp > kSharedRamp ? 2 : 1) * tick;
     const double acceleration = ramp * std::max(last.acceleration, piece.acceleration);
@@ -421,7 +423,7 @@ bool Preparer::State::rests_at_bend(const Piece& piece, double passed, double sh
     const double stopped = half(last, 0, 1) + half(piece, 0, 1);
     const double through = half(last, passed, share) + half(piece, passed, share);
     if (through > stopped) return true;
-    // Where the way behind ends at rest, what the ramps lack counts the most. Both meet at one
+    // Where the path behind ends at rest, what the ramps lack counts the most. Both meet at one
     // speed, and a stop has to be reached from that at the other end.
     const auto time_on = [&](const auto& beside, const SidesOfCorner& speeds, double part) {
         const RampLimits ramp = ramp_of(beside, part);

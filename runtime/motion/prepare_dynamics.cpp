@@ -1,4 +1,4 @@
-// prepare_dynamics.cpp — what a program says of how fast its motions may be: the axes have so much
+// prepare_dynamics.cpp — how fast motions may be as programmed: the axes have so much
 // of their limits, F and rapid traverse so much of their speed.
 //
 // At a corner between two motions the axes keep what both of them leave.

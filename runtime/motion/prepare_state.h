@@ -1,10 +1,10 @@
 // prepare_state.h — what the preparer knows between two commands. Internal to motion.
 //
-// Its functions are told in chapters: prepare.cpp (commands, standstill, pieces of one motion),
+// Its functions are in chapters: prepare.cpp (commands, standstill, pieces of one motion),
 // prepare_corners.cpp (how fast the corner between two pieces may be passed), prepare_blending.cpp
 // (curves around corners), prepare_transformed.cpp (motions under the machine's transformation),
-// prepare_virtual.cpp (motions on a face, on a cylinder, across an inclined slide),
-// prepare_dynamics.cpp (what the program says of how fast its motions may be),
+// prepare_virtual.cpp (motions in polar, cylindrical and inclined-axis coordinates),
+// prepare_dynamics.cpp (how fast motions may be as programmed),
 // prepare_varying_feed.cpp (feeds that change along a motion).
 #pragma once
 
@@ -34,7 +34,7 @@ struct CornerMemory {
     AxisRates bends{};  // d²q/ds² at its end
     AxisTable::Loads loads;
     path::Dynamics dynamics;
-    bool is_plain = true;  // nothing is said there
+    bool is_plain = true;  // nothing is programmed there
     double length = 0;
     double speed = 0;                           // limit inside
     path::Vec3 direction = path::Vec3::Zero();  // at its end
@@ -46,8 +46,8 @@ struct CornerMemory {
     bool can_be_cut = true;  // into parts that are as exact as the whole
     bool must_stop = true;   // the path comes to rest behind it
     double entry_speed = 0;  // mm/s, at most so fast it is where it begins (jerk limited)
-    double exit_feed = std::numeric_limits<double>::infinity();  // of a course of the feed
-    double feed_slope = 0;  // of it by the way, in parts of the feed, 1/mm
+    double exit_feed = std::numeric_limits<double>::infinity();  // of a varying feed
+    double feed_slope = 0;  // of it by distance, in parts of the feed, 1/mm
 };
 
 inline bool is_straight(const Segment& segment) {
@@ -61,11 +61,11 @@ inline bool can_be_cut(const Segment& segment) {
            (!segment.is_transformed() && std::holds_alternative<path::Helix>(segment.curve));
 }
 
-/// A motion that waits for the next one, because the corner between them may be rounded.
+/// A motion that waits for the next one, because the corner between them may be blended.
 struct HeldMotion {
     bool is_held = false;
     path::Command command;
-    Segment segment;    // the whole way
+    Segment segment;    // the whole path
     double length = 0;  // of it
     double from = 0;    // so much of it the curve around the corner before it has taken
 };
@@ -73,8 +73,8 @@ struct HeldMotion {
 /// What is known of a piece when it is emitted.
 struct Emission {
     bool as_cell = false;    // if it is even enough, and no corner is beside it
-    bool is_inside = false;  // of a way that goes on evenly from the piece before
-    /// So far it is from either end of that way: beside a corner the axes have less.
+    bool is_inside = false;  // of a path that goes on evenly from the piece before
+    /// So far it is from either end of that path: beside a corner the axes have less.
     double margin = std::numeric_limits<double>::infinity();
     bool follows_spindle = false;  // one of many parts, each with the feed of its radius
     bool is_by_law = false;        // the feed of the command is that of the piece already …
@@ -101,7 +101,7 @@ struct CornerPassage {
 /// less there alone; or they end there without acceleration.
 enum class RampEnd : std::uint8_t { Whole, Zone, Smooth };
 
-/// A way to share what the axes have between the jump at a corner and the ramps beside it.
+/// How to share what the axes have between the jump at a corner and the ramps beside it.
 struct CornerShare {
     double speed = 0;      // of the corner
     double ramp = 1;       // part of their acceleration along the path that the ramps keep at least
@@ -115,14 +115,14 @@ struct SidesOfCorner {
     double behind = 0;
 };
 
-/// What a corner at which the tool turns is without the way around it.
+/// What a corner at which the orientation changes is without the path around it.
 enum class CornerAsItIs : std::uint8_t {
     Stop,
     Passed,    // or a stop, by the rules of all corners
-    OfTheTip,  // likewise, and the way around it keeps the corner of the tip
+    OfTheTip,  // likewise, and the path around it keeps the corner of the tip
 };
 
-/// What becomes of a corner at which the tool turns.
+/// What becomes of a corner at which the orientation changes.
 struct OrientationAtCorner {
     std::optional<OrientationBlend> around;  // nothing: it stays
     bool rests = false;                      // … and is a stop
@@ -135,7 +135,7 @@ struct CornerNeighbour {
     PathLimits limits;
 };
 
-/// So much of the way of a motion whose feed changes along it has become pieces.
+/// So much of the path of a motion whose feed changes along it has become pieces.
 struct LawProgress {
     double done = 0;
     double length = 0;
@@ -147,13 +147,13 @@ struct EndState {
     path::Vec3 joints = path::Vec3::Zero();  // under a transformation, rad
 };
 
-/// A part of a motion's way, between two lengths.
+/// A part of a motion's path, between two lengths.
 struct PathPart {
     double from = 0;
     double to = 0;
 };
 
-/// What a run tells once and not again.
+/// What a run reports once and not again.
 enum class PlanNotice : std::uint8_t {
     NoFeed,  // of a motion; anew behind a change of the spindle
     ThreadCorner,
@@ -300,9 +300,9 @@ struct Preparer::State {
     Stream<path::Command>& commands;
     const machine::Machine& machine;
     const AxisTable& machine_axes;
-    AxisTable axes;           // under what the program says of the command
+    AxisTable axes;           // under what is programmed for the command
     path::Dynamics dynamics;  // which is this
-    bool is_plain = true;     // nothing is said there
+    bool is_plain = true;     // nothing is programmed there
     const PlannerOptions& options;
     DiagnosticSink& sink;
     double tick = 0;   // s, of the machine

@@ -1,10 +1,10 @@
 // prepare_threads.cpp — threads: they begin at the spindle's mark, and some change their pitch.
 //
-// The spindle turns at n; from turn to turn the pitch p changes by k. So dp/dt = k·n and the speed
-// along the path is v = p·n: dv/dt = k·n², a constant acceleration, and p² = p0² + 2·k·s. A piece
-// whose acceleration is limited to just that is run with it from end to end, as the speeds at its
-// ends leave nothing else. Before it the axis comes up to speed, and behind it it stops, as fast as
-// it can: there no thread is true to its pitch, as on a machine.
+// The spindle turns at n; from revolution to revolution the pitch p changes by k. So dp/dt = k·n
+// and the speed along the path is v = p·n: dv/dt = k·n², a constant acceleration, and p² = p0² +
+// 2·k·s. A piece whose acceleration is limited to just that is run with it from end to end, as the
+// speeds at its ends leave nothing else. Before it the axis comes up to speed, and behind it it
+// stops, as fast as it can: there no thread is true to its pitch, as on a machine.
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +31,7 @@ constexpr int kRampSteps = 8;
 /// The pitch along a thread.
 struct VaryingPitch {
     double first = 0;   // mm/rev
-    double change = 0;  // mm/rev per turn
+    double change = 0;  // mm/rev per revolution
 
     double at(double s) const { return std::sqrt(std::max(0.0, first * first + 2 * change * s)); }
 };
@@ -43,8 +43,8 @@ double ramp_to(double speed, const PathLimits& limits) {
 
 }  // namespace
 
-/// A thread begins when the spindle is at the angle that it says, so that passes run in one groove.
-/// One that goes on with another does not wait. S 4.6.
+/// A thread begins when the spindle is at the angle that is programmed, so that passes run in one
+/// groove. One that goes on with another does not wait. S 4.6.
 void Preparer::State::meet_spindle(const path::Command& command) {
     const bool is_thread = command.op() == path::Op::Thread;
     thread_goes_on = is_thread && is_threading && !last.must_stop;
@@ -80,7 +80,7 @@ void Preparer::State::emit_varying_thread(const path::Command& command, const Se
         share.motion().feed = pitch;
         emit(share, part_of(whole, from, to), to - from);
     };
-    // Under a constant cutting speed no acceleration suits the way: many even pieces do.
+    // Under a constant cutting speed no acceleration suits the path: many even pieces do.
     const auto parts = feed_bounds(command.motion(), whole, length, spindle);
     if (!parts.empty()) {
         for (std::size_t i = 0; i + 1 < parts.size() && !has_ended; ++i)

@@ -1,5 +1,5 @@
-// Motions under the machine's transformation: the tip goes along its path, the tool turns, and the
-// axes are where the chain says.
+// Motions under the machine's transformation: the tip goes along its path, the orientation changes,
+// and the axes are where the chain has them.
 //
 // A motion is cut into legs at the poles of R1 that the tool passes: there R1 may have to turn
 // while everything else stands (motion.md §6.3). Each leg becomes pieces that one speed suits.
@@ -209,7 +209,7 @@ std::vector<Segment> legs_of(const Chain& chain, const Segment& whole, const Vec
     return legs;
 }
 
-/// The joints go from here to there in proportion to the way of the leg.
+/// The joints go from here to there in proportion to the path of the leg.
 void run_evenly(const Chain& chain, const Vec3& from, const Vec3& to, Segment& leg) {
     std::array<double, kFollowers> rates{};
     put_joints(chain, (to - from) / leg.orientation.length, rates);
@@ -249,7 +249,7 @@ void Preparer::State::emit_transformed(const Command& command, const Segment& wh
                 is_last ? to : machine::joints_before(chain, direction_along(legs[i + 1]), to),
                 leg);
         } else if (starts_at_pole(chain, leg)) {
-            // Only behind the last pole the end of the motion says how it is left.
+            // Only behind the last pole the end of the motion tells how it is left.
             const Vec3 wanted = i + 1 == legs.size()
                                     ? machine::joints_before(chain, direction_along(leg), to)
                                     : joints;
@@ -289,7 +289,7 @@ bool Preparer::State::is_one_way(const Segment& whole, const Vec3& to) const {
     return !starts_at_pole(chain, whole) && !is_at_pole(chain, end_of(whole));
 }
 
-/// R1 turns to another place as fast as it can while the tip stands.
+/// R1 turns to another position as fast as it can while the tip stands.
 void Preparer::State::turn_at_pole(const Command& command, const Segment& at, const Vec3& to) {
     const Chain& chain = axes.chain();
     const Vec3 from = joints_of(chain, at.follower_start);
@@ -351,7 +351,7 @@ std::optional<LogicalAxes> Preparer::State::emit_path(const Command& command, co
         if (has_ended) return std::nullopt;
         if (command.motion().feed_mode == path::FeedMode::InverseTime)
             share.motion().feed = command.motion().feed * length / part.orientation.length;
-        // Between two parts the axes go on evenly: the ends of their courses differ by rounding.
+        // Between two parts the axes go on evenly: the ends of their paths differ by rounding.
         const bool is_inside = as_cells && &part != &parts.front();
         const double to = from + part.orientation.length;
         const double before = starts_at_rest ? kInfinity : from;

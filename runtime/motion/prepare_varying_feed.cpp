@@ -1,6 +1,6 @@
 // prepare_varying_feed.cpp — motions whose feed changes along them.
 //
-// Where the axes can follow the feed, a piece has it as its course (varying_feed.h). Where they
+// Where the axes can follow the feed, a piece has it as its own (varying_feed.h). Where they
 // cannot, or the pulses of a laser change the speed meanwhile, it goes in steps: short pieces, each
 // with the least feed on it, whose limits are those of any other piece.
 #include <algorithm>
@@ -14,13 +14,13 @@ namespace kadr::motion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// From its least to its greatest feed a course grows by this factor at most: what its ramps may
-/// have goes by the greatest. A step grows by less.
+/// From its least to its greatest feed a varying feed grows by this factor at most: what its ramps
+/// may have goes by the greatest. A step grows by less.
 constexpr double kCourse = 1.5;
 constexpr double kStep = 1.02;
 /// The feed does not change: rounding.
 constexpr double kEven = 1 + 1e-9;
-/// Of the acceleration and the jerk of a piece, what its course may take; corners may take half of
+/// Of the acceleration and the jerk of a piece, what its feed may take; corners may take half of
 /// them, and something has to be left to come up to the feed.
 constexpr double kOfAcceleration = 0.25;
 constexpr double kOfJerk = 0.2;
@@ -34,11 +34,11 @@ bool Preparer::State::has_law(const path::Command& command) const {
     return command.motion().dynamics && command.motion().dynamics->law.is_given();
 }
 
-/// Pieces of the motion follow, from this length of its way on.
+/// Pieces of the motion follow, from this length of its path on.
 void Preparer::State::begin_law(double from, double length) { lawful = {from, length}; }
 
-/// The feed over the next piece, overrides included; nothing where F says nothing of the axes that
-/// move.
+/// The feed over the next piece, overrides included; nothing where F does not count for the axes
+/// that move.
 std::optional<path::FeedPolynomial> Preparer::State::law_on(const path::Command& command,
                                                             const Segment& segment,
                                                             double length) const {
@@ -51,7 +51,7 @@ std::optional<path::FeedPolynomial> Preparer::State::law_on(const path::Command&
         scale = *speed;
     }
     scale *= feed_override(command);
-    // From the part of the whole way to mm of this piece.
+    // From the part of the whole path to mm of this piece.
     const double begin = std::min(lawful.done / lawful.length, 1.0);
     const path::FeedPolynomial feed = path::feed_from(command.motion().dynamics->law.feed, begin);
     return path::feed_in_units(feed, scale, 1 / lawful.length);
@@ -81,7 +81,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
     const double length = part.to - part.from;
     const path::FeedRange range = path::feed_range(feed, part.from, part.to);
     const bool is_short = length < 2 * kShortestTicks * tick * range.most;
-    // A curve around a corner stays one; and so does a tool that only turns.
+    // A curve around a corner stays one; and so does a tool whose orientation alone changes.
     const bool is_pivot =
         segment.is_transformed() && std::holds_alternative<path::Point>(segment.curve);
     const bool is_glide = std::holds_alternative<path::Glide>(segment.curve);
@@ -116,7 +116,7 @@ void Preparer::State::emit_law_part(path::Command& share, const Segment& segment
     emit_law_part(share, segment, feed, {middle, part.to}, how);
 }
 
-/// The course of a piece, if its axes have enough beside it.
+/// The varying feed of a piece, if its axes have enough beside it.
 std::optional<VaryingFeed> Preparer::State::varying_feed_on(const PathLimits& limits,
                                                             const path::FeedPolynomial& feed,
                                                             double length) const {

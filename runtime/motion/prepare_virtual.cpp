@@ -1,8 +1,9 @@
-// Motions that are told on a face, on a cylinder or across an inclined slide: the tip goes along
-// its path there, and the real axes are where path/virtual_axes.h says.
+// Motions in polar, cylindrical and inclined-axis coordinates: the tip goes along
+// its path there, and the real axes are where path/virtual_axes.h has them.
 //
-// Near the centre of a face the rotary axis turns fast: pieces become as short as one speed suits
-// them. In the centre itself the tool stands while the axis turns to where the path leads away.
+// Near the centre of polar coordinates the rotary axis turns fast: pieces become as short as one
+// speed suits them. In the centre itself the tool stands while the axis turns to where the path
+// leads away.
 #include <algorithm>
 #include <cmath>
 

@@ -66,7 +66,7 @@ Result<Profile, ProfileFault> fitted_to_ticks(const Profile& profile, double tic
     return trapezoid(profile.length, entry, exit, {peak, a, d});
 }
 
-// ------------------------------------------------------------------------------ a feed's course
+// ------------------------------------------------------------------------------ a varying feed
 
 namespace {
 

@@ -17,7 +17,7 @@
 
 namespace kadr::motion {
 
-/// What a profile has to keep. mm and s; deg instead of mm for pure turning.
+/// What a profile has to keep. mm and s; deg instead of mm if only rotary axes move.
 struct ProfileLimits {
     double speed = 0;                                       // > 0
     double acceleration = 0;                                // > 0
@@ -156,7 +156,7 @@ inline ProfileState advanced(const ProfileState& from, const Phase& phase, doubl
 
 /// The profile over a piece with such a feed by the one of its rate, over its time.
 Profile over_varying_feed(const Profile& rate, const VaryingFeed& varying_feed);
-/// … and back: the profile of the rate of one that has a course.
+/// … and back: the profile of the rate of one that has a varying feed.
 Profile rate_of(const Profile& profile);
 ProfileState state_on_varying_feed(const Profile& profile, double time);
 

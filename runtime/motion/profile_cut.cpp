@@ -37,7 +37,7 @@ double ProfileCut::time_at(double distance) const {
     const Start& start = starts_[phase_];
     const double length = distance - start.distance;
     if (phase.jerk == 0 && phase.acceleration == 0) return length / start.speed;
-    // The way grows with time, so Newton's steps stay in a bracket.
+    // The distance grows with time, so Newton's steps stay in a bracket.
     double low = time_;
     double high = phase.duration;
     double t =

@@ -19,19 +19,19 @@ using machine::Chain;
 using path::CurvePoint;
 using path::Vec3;
 
-/// Steps to the nearest place; they end where one is shorter than rounding.
+/// Steps to the nearest point; they end where one is shorter than rounding.
 constexpr int kSteps = 12;
-constexpr double kSameShare = 1e-13;  // of the way
-/// Places at which all of a motion is looked at.
+constexpr double kSameShare = 1e-13;  // of the path
+/// Points at which all of a motion is looked at.
 constexpr int kLooks = 64;
 /// More of them are not looked at at once, beside an arc around the tip.
 constexpr std::size_t kMostLooks = 10000;
-/// An axis may be beside its way by so much, rad or mm: rounding of degrees and of lengths.
+/// An axis may be beside its path by so much, rad or mm: rounding of degrees and of lengths.
 constexpr double kSameFollower = 1e-7;
-/// Width of the difference that stands for a derivative, of the way.
+/// Width of the difference that stands for a derivative, of the path.
 constexpr double kStencil = 1e-5;
 
-/// How a place along a motion is told.
+/// How a point along a motion is given.
 enum class MotionParameter : std::uint8_t {
     Circle,  // by the angle
     Span,    // by the parameter, 0 … 1
@@ -54,8 +54,8 @@ bool touches(const ProgrammedMotion& motion) {
 
 MotionParameter walk_of(const ProgrammedMotion& motion) {
     const Segment& segment = motion.segment;
-    // Where the cutter rolls around a point its tip tells how far; where the tool alone turns, the
-    // tip may stand.
+    // Where the cutter rolls around a point its tip tells how far; where only the orientation
+    // changes, the tip may stand.
     const bool stands = std::holds_alternative<path::Point>(segment.curve);
     if (touches(motion) && (!stands || segment.contact.turn != 0)) return MotionParameter::Touch;
     if (stands) return MotionParameter::Turn;
@@ -77,7 +77,7 @@ double length_at(const ProgrammedMotion& motion, MotionParameter walk, double pa
     return (helix.rate + helix.rate_slope * parameter / 2) * parameter;
 }
 
-/// Calls `use` with a curve whose places are told by the parameter.
+/// Calls `use` with a curve whose points are given by the parameter.
 template <typename Use>
 auto with_span(const path::Curve& curve, const Use& use) {
     if (const auto* cubic = std::get_if<path::CubicSpan>(&curve)) return use(*cubic);
@@ -113,7 +113,7 @@ Vec3 direction_on(const Chain& chain, const Segment& segment, double distance) {
     return machine::tool_vector(chain, joints_of(chain, followers));
 }
 
-// ------------------------------------------------------------------------------ nearest places
+// ------------------------------------------------------------------------------ nearest points
 
 /// Where the foot of a perpendicular is looked for, and where it may be at all.
 struct Search {
@@ -126,7 +126,7 @@ double on_line(const path::Line& line, const Vec3& tip, const Search& search) {
     return std::clamp((tip - line.start).dot(line.direction), search.lower, search.upper);
 }
 
-/// Where a tip beside a rising or a widening arc has its foot, from the place at its angle on.
+/// Where a tip beside a rising or a widening arc has its foot, from the point at its angle on.
 double beside_helix(const path::Helix& helix, const Vec3& tip, double angle, const Search& search) {
     if (helix.height_rate == 0 && helix.radius_rate == 0) return angle;
     for (int step = 0; step < kSteps; ++step) {
@@ -147,7 +147,7 @@ double beside_helix(const path::Helix& helix, const Vec3& tip, double angle, con
 /// The angle of the tip, of all turns the first one that is not much before the guess.
 double on_circle(const path::Helix& helix, const Vec3& tip, const Search& search) {
     constexpr double kTurn = 2 * std::numbers::pi;
-    // Rounding may put the tip before the place from where it is looked for, by less than a turn.
+    // Rounding may put the tip before the point from where it is looked for, by less than a turn.
     constexpr double kBehind = 1e-4;
     const Vec3 out = tip - helix.base;
     const double angle = std::atan2(out.dot(helix.e2), out.dot(helix.e1));
@@ -181,7 +181,7 @@ double on_span(const path::Curve& curve, const Vec3& tip, const Search& search) 
     });
 }
 
-/// By length; `at` gives place and derivative by it.
+/// By length; `at` gives point and derivative by it.
 template <typename At>
 double by_steps(const At& at, const Vec3& wanted, const Search& search) {
     double s = search.guess;
@@ -299,7 +299,7 @@ Nearness judged(const Chain& chain, const ProgrammedMotion& motion, MotionParame
     return near;
 }
 
-/// Of some places from end to end of the search, the nearest to the tool.
+/// Of some points from end to end of the search, the nearest to the tool.
 double nearest_look(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
                     const StandingTool& tool, const Search& search) {
     const bool by_tool = walk == MotionParameter::Turn && !follows_axes(motion.segment);
@@ -317,9 +317,9 @@ double nearest_look(const Chain& chain, const ProgrammedMotion& motion, MotionPa
     return nearest;
 }
 
-/// The first place whose distance from a tip is within the tolerance, or the one of the least
+/// The first point whose distance from a tip is within the tolerance, or the one of the least
 /// distance, to a part of the tolerance. By arc length the distance changes no faster than the
-/// place: halves that cannot hold such a place are left out.
+/// point: halves that cannot hold such a point are left out.
 double parameter_by_halves(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
     struct Look {
         double parameter;
@@ -355,7 +355,7 @@ double parameter_by_halves(const ProgrammedMotion& motion, const Vec3& tip, cons
     }
 }
 
-/// The same of a span, whose place is told by the parameter.
+/// The same of a span, whose point is given by the parameter.
 double parameter_on_span(const ProgrammedMotion& motion, const Vec3& tip, const Search& search) {
     return with_span(motion.segment.curve, [&](const auto& span) {
         const Search by_length{path::length_to(span, search.guess),
@@ -365,7 +365,7 @@ double parameter_on_span(const ProgrammedMotion& motion, const Vec3& tip, const 
     });
 }
 
-/// A place may be looked for so far before the one that was found last. Beside a cusp that may have
+/// A point may be looked for so far before the one that was found last. Beside a cusp that may have
 /// been on the other branch: of a curve as wide as the motion is long, the branches are within the
 /// tolerance t of each other over ∛(t²·length).
 double lower_bound_of(const ProgrammedMotion& motion, MotionParameter walk, double from) {
@@ -377,7 +377,7 @@ double lower_bound_of(const ProgrammedMotion& motion, MotionParameter walk, doub
     return std::max(0.0, from - share * end_parameter(motion, walk));
 }
 
-/// The end of a reach; of an arc, and of a motion that turns alone, no place ends it.
+/// The end of a reach; of an arc, and where only the orientation changes, no point ends it.
 double parameter_behind(const ProgrammedMotion& motion, MotionParameter walk,
                         const SearchRange& reach) {
     switch (walk) {
@@ -392,7 +392,7 @@ double parameter_behind(const ProgrammedMotion& motion, MotionParameter walk,
     }
 }
 
-/// The nearest place between two turns, where a motion does not come back beside itself.
+/// The nearest point between two turns, where a motion does not come back beside itself.
 Nearness nearest_on_branch(const Chain& chain, const ProgrammedMotion& motion, MotionParameter walk,
                            const StandingTool& tool, Search branch) {
     const Nearness near =

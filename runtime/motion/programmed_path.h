@@ -1,6 +1,6 @@
-// programmed_path.h — one motion as the program says it, for those who judge where the tip is.
+// programmed_path.h — one motion as it is programmed, for those who judge where the tip is.
 //
-// Geometry of a command: where on its way the tip is nearest, and what tool and axes should be
+// Geometry of a command: where on its path the tip is nearest, and what tool and axes should be
 // there. Which motion a setpoint belongs to is path_check.h's question.
 #pragma once
 
@@ -18,9 +18,9 @@ struct ProgrammedMotion {
     double length = 0;          // of its path, mm (deg)
     double tolerance = 0;       // mm, of the tip
     double inclination = 0;     // rad, of the tool
-    double pole = 0;            // rad, the way may be led otherwise so near to a pole
-    std::vector<double> turns;  // places at which it turns back on itself, or nearly, in order
-    /// Motions with the same number tell the tip in the same coordinates of the same tool.
+    double pole = 0;            // rad, the path may be led otherwise so near to a pole
+    std::vector<double> turns;  // parameters at which it turns back on itself, or nearly, in order
+    /// Motions with the same number give the tip in the same coordinates of the same tool.
     std::uint32_t system = 0;
 };
 
@@ -32,14 +32,14 @@ struct StandingTool {
 };
 
 /// The tip in the coordinates of a motion, by the axes of the machine. An axis that the machine
-/// does not have stands where the setpoint says that its tip is.
+/// does not have stands where the setpoint has it that its tip is.
 StandingTool standing_tool(const machine::Machine& machine, const machine::Chain& chain,
                            const ProgrammedMotion& motion, const Setpoint& setpoint);
 
 /// How far a tool is from a motion.
 struct Nearness {
     double parameter = 0;    // along the motion, in its own parameter
-    double distance = 0;     // of the tip from the way, mm
+    double distance = 0;     // of the tip from the path, mm
     double inclination = 0;  // of the tool from its direction there, rad
     double off = 0;          // of an axis that follows, rad or mm
     /// What the last two may be: where the tip may be beside its path, it also may be behind.
@@ -47,16 +47,16 @@ struct Nearness {
     double off_allowed = 0;
 };
 
-/// Where a place is looked for: from this one on, along so many mm.
+/// Where a point is looked for: from this one on, along so many mm.
 struct SearchRange {
     double from = 0;
     double ahead = 0;
 };
 
-/// Beside which place of the motion a tool is, not much before the reach, and how far from it. The
-/// place is that nearest to the tip in the neighbourhood of the beginning; where the motion turns
-/// back within the reach, the first one on which the tip can be. Of a motion that only turns it is
-/// the one with the nearest direction.
+/// Beside which point of the motion a tool is, not much before the reach, and how far from it. The
+/// point is that nearest to the tip in the neighbourhood of the beginning; where the motion turns
+/// back within the reach, the first one on which the tip can be. Of a motion that only changes the
+/// orientation it is the one with the nearest direction.
 Nearness nearest_on(const machine::Chain& chain, const ProgrammedMotion& motion,
                     const StandingTool& tool, const SearchRange& reach);
 
@@ -68,7 +68,7 @@ Nearness nearest_from_behind(const machine::Chain& chain, const ProgrammedMotion
 Nearness nearest_on_rest(const machine::Chain& chain, const ProgrammedMotion& motion,
                          const StandingTool& tool, const SearchRange& reach);
 
-/// How far along a motion a place is, mm; 0 where its tip has no way of its own along the path.
+/// How far along a motion a parameter is, mm; 0 where its tip does not move.
 double distance_to(const ProgrammedMotion& motion, double parameter);
 
 /// Finds where a motion turns back.

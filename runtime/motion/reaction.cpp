@@ -13,7 +13,7 @@ namespace {
 // Of two speeds, relative: closer ones differ by the rounding of a root. Less than in
 // smooth_profile.cpp, which has to take them for the same as well.
 constexpr double kSameSpeed = 1e-13;
-// As in smooth_profile.cpp: by so much may a ramp be longer than its place, mm (deg).
+// As in smooth_profile.cpp: by so much may a ramp be longer than its room, mm (deg).
 constexpr double kLengthRounding = 1e-8;
 // Slower is standing, mm/s (deg/s): the rounding of a ramp that ends at rest.
 constexpr double kStanding = 1e-7;

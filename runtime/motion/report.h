@@ -1,4 +1,4 @@
-// report.h — messages of the motion at their place in the text.
+// report.h — messages of the motion at their location.
 //
 // The motion knows a command's line and source as numbers. What stands there, and which calls have
 // led to it, knows who gave the commands.
@@ -15,7 +15,7 @@
 
 namespace kadr::motion {
 
-/// Of what a message tells.
+/// What a message is about.
 struct CommandLocation {
     std::uint32_t line = 0;    // Command::line
     SourceId source;           // Command::source

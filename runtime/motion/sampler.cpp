@@ -59,7 +59,7 @@ struct Sampler::State {
     bool has_ended = false;     // no segment is left
     bool is_done = false;       // the setpoint at rest is out
     std::uint64_t ticks = 0;    // of the next setpoint
-    std::uint32_t pulses = 0;   // that the next setpoint tells of
+    std::uint32_t pulses = 0;   // that the next setpoint carries
     std::uint32_t counted = 0;  // of the train of the segment at batch_at
 };
 

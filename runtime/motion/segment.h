@@ -21,13 +21,13 @@ enum class SegmentKind : std::uint8_t {
     Feed,   // cutting
     Dwell,  // the rest stand still for `duration`
     ToolChange,
-    Orient,  // the spindle turns to an angle
+    Orient,  // the spindle goes to an angle
     Hold,    // the operator keeps the axes from going on
     Wait,    // for the machine to acknowledge an M function, or for the spindle's mark
     // Of a module beside the axes, which stand at `stage` meanwhile:
     External,  // nothing moves, or the module is not asked
     Jump,      // a scanner's positioning
-    Mark,      // a scanner's way with the beam
+    Mark,      // a scanner's path with the beam
 };
 
 /// Of the axes.
@@ -52,22 +52,22 @@ inline constexpr std::size_t kFollowers = kAxes - 3;
 /// how to colour it and whence it came.
 struct Segment {
     SegmentKind kind = SegmentKind::Rapid;
-    bool ends_command = true;     // no further piece of its command comes
-    bool has_pulse = false;       // a pulse of the laser burns the point where it ends
-    bool is_rotary_only = false;  // no linear axis moves: lengths are degrees, not mm
-    bool is_thread = false;       // the spindle leads: a thread, or a tap
-    float thread_start = 0;       // of a thread: turns of the spindle from its mark where it begins
-    AxisMask followers = 0;       // axes beside X, Y, Z that move in this piece
-    std::uint32_t line = 0;       // of the ISO-7bit text
-    std::uint16_t cycle = 0;      // of the command
+    bool ends_command = true;      // no further piece of its command comes
+    bool has_pulse = false;        // a pulse of the laser burns the point where it ends
+    bool is_rotary_only = false;   // no linear axis moves: lengths are degrees, not mm
+    bool is_thread = false;        // the spindle leads: a thread, or a tap
+    float thread_start = 0;        // of a thread: revolutions from the spindle's mark to its begin
+    AxisMask followers = 0;        // axes beside X, Y, Z that move in this piece
+    std::uint32_t line = 0;        // of the ISO-7bit text
+    std::uint16_t cycle = 0;       // of the command
     std::int64_t tool_number = 0;  // that was called last; 0: none
     SourceId source;
 
-    path::Curve curve;  // way of the tip, or of the contact; a Point if it stands
+    path::Curve curve;  // path of the tip, or of the contact; a Point if it stands
     path::Vec3 tool = path::Vec3::UnitZ();    // unit vector from tip to holder
     path::Vec3 carrier = path::Vec3::Zero();  // from the tip to what the linear axes carry, mm
     /// Of a piece on whose path the transformation of the machine holds the tip: `tool` is the tool
-    /// at base position, the machine's chain says where the axes stand (transformed.h), and
+    /// at base position, the machine's chain tells where the axes stand (transformed.h), and
     /// follower_start is where the rotary ones begin.
     path::OrientLaw orientation;
     path::Contact contact;  // … and how the cutter touches on the path
@@ -78,7 +78,7 @@ struct Segment {
     double duration = 0;    // s
     double feed =
         0;  // mm/s (deg/s), what was asked for, override included; rapid: what the axes can
-    double nominal_feed = 0;         // mm/s (deg/s), what the program says at an override of 100 %
+    double nominal_feed = 0;         // mm/s (deg/s), as programmed at an override of 100 %
     double feed_per_revolution = 0;  // mm (deg), override included; 0: the feed is no such one
     CommandedSpindle spindle;        // as it is commanded in this piece
     Profile profile;                 // of the path length; empty for a standstill

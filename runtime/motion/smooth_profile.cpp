@@ -11,7 +11,7 @@ namespace {
 // take its length from that rounding.
 constexpr double kSameSpeed = 1e-12;
 
-// A ramp may be longer than its place by so much, mm (deg): the rounding of a small difference of
+// A ramp may be longer than its room by so much, mm (deg): the rounding of a small difference of
 // large speeds, a hundred-thousandth of an increment.
 constexpr double kLengthRounding = 1e-8;
 

@@ -29,7 +29,7 @@ inline constexpr std::size_t kLossReasons = 9;
 std::string_view reason_name(LossReason reason);
 
 /// A part of what a piece takes longer than at its programmed feed. The reason of a ramp down is
-/// known when the path is slow again: then the losses before it are told, in their order.
+/// known when the path is slow again: then the losses before it are reported, in their order.
 struct SpeedLoss {
     LossReason reason = LossReason::Stop;
     std::uint32_t line = 0;  // of the ISO-7bit text

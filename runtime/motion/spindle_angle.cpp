@@ -6,7 +6,7 @@ namespace kadr::motion {
 
 namespace {
 
-/// Of a turn: below it the rest of a turn is rounding.
+/// Of a revolution: below it the rest of one is rounding.
 constexpr double kSameAngle = 1e-9;
 
 }  // namespace

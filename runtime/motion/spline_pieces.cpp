@@ -25,8 +25,8 @@ constexpr double kBendRatio = 1.5;
 /// A piece that turns by less than this as a whole, rad, is cut for its curvature no more.
 constexpr double kLittleTurn = 0.02;
 /// A piece this short is not cut any more, mm: it passes in a tick. One that turns sharply is cut
-/// down to the second length: the straight piece in its place is nowhere farther from it than that,
-/// and places without a tolerance are exact to as much (path_check.h).
+/// down to the second length: the straight piece that replaces it is nowhere farther from it than
+/// that, and points without a tolerance are exact to as much (path_check.h).
 constexpr double kShort = 0.02;
 constexpr double kPoint = 1e-6;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.

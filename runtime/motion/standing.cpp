@@ -38,7 +38,7 @@ double orient_angle(const path::Motion& motion, const Vec3& from) {
 
 bool turns(std::size_t follower) { return is_rotary(static_cast<Axis>(follower + 3)); }
 
-/// The way of the contact, of which corners have left a part. Where it stands, there is none.
+/// The path of the contact, of which corners have left a part. Where it stands, there is none.
 path::Curve touched_path(const path::Motion& motion, const path::ContactMotion& touched) {
     const path::ContactKind kind = touched.contact.kind;
     if (kind == path::ContactKind::Pivot || kind == path::ContactKind::Corner)
@@ -49,7 +49,7 @@ path::Curve touched_path(const path::Motion& motion, const path::ContactMotion& 
     return path::part(whole, touched.begin * length, touched.end * length);
 }
 
-/// While the contact stands, the way of the tip about it is the path.
+/// While the contact stands, the path of the tip about it is the path.
 double pivot_length(const path::Motion& motion, const path::Curve& touched) {
     if (!motion.contact || !std::holds_alternative<path::Point>(touched)) return 0;
     return path::tip_travel_about(motion.contact->contact, motion.direction);
@@ -108,7 +108,7 @@ bool AxesPosition::follow_transformation(const path::Motion& motion) {
     is_transformed_ = is_wanted;
     virtual_ = motion.virtual_axes();
     put_carrier(stays);
-    // What the command says of the other axes is of the new system.
+    // What the command gives for the other axes is of the new system.
     last_to_.fill(std::numeric_limits<double>::quiet_NaN());
     return true;
 }
@@ -150,8 +150,8 @@ void AxesPosition::lay_straight(const MotionEnd& target, Segment& segment) const
     else segment.curve = path::Point{from};
 }
 
-/// A rotary axis of virtual coordinates follows the path. Where the tool's way is given R1 and R2
-/// follow it; where only it turns, its angle is the path.
+/// A rotary axis of virtual coordinates follows the path. Where the tool's path is given R1 and R2
+/// follow it; where only the orientation changes, its angle is the path.
 void AxesPosition::lay_orientation(const path::Motion& motion, double& length,
                                    Segment& segment) const {
     path::OrientLaw& orientation = segment.orientation;
@@ -242,7 +242,7 @@ void AxesPosition::set_tool_length(const path::ToolLength& length, const AxisTab
         tool_ = held_.normalized();
     }
     put_carrier(stays);
-    // What was said of axes that all have another length now is of no use: a head has turned.
+    // What was programmed of axes that all have another length now is of no use: a head has turned.
     if ((length.changed & kLinearXYZ) == kLinearXYZ)
         last_to_.fill(std::numeric_limits<double>::quiet_NaN());
 }

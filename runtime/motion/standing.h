@@ -1,7 +1,7 @@
 // standing.h — where the machine stands, and where a command leads from there.
 //
 // Positions of the tool tip in the base coordinate system; the axes carry it at the tool's length.
-// Under a transformation the tip is in the workpiece system, and the chain says where the axes are;
+// Under a transformation the tip is in the workpiece system, and the chain has the axes' positions;
 // or it is in virtual coordinates (path/virtual_axes.h).
 // Geometry only: no limits (axis_check.h), no feeds and no corners (prepare.h).
 #pragma once
@@ -27,13 +27,14 @@ class AxesPosition {
         path::Vec3 tip;
         std::array<double, kFollowers> followers;  // rad or mm
     };
-    /// Goes over to the system in which the motion says its target, transformed or not; the axes
+    /// Goes over to the system in which the motion has its target, transformed or not; the axes
     /// stay where they are. True if it is another one.
     bool follow_transformation(const path::Motion& motion);
     MotionEnd target_of(const path::Motion& motion) const;
 
-    /// The way of a Rapid, Line or Arc to its target as geometry. Returns the length of the path in
-    /// mm, or in degrees if only rotary axes move (`segment.is_rotary_only`); 0 if nothing moves.
+    /// The path of a Rapid, Line or Arc to its target as geometry. Returns the length of the path
+    /// in mm, or in degrees if only rotary axes move (`segment.is_rotary_only`); 0 if nothing
+    /// moves.
     double lay_path(const path::Motion& motion, const MotionEnd& target, Segment& segment) const;
 
     /// A segment in which the machine stands here, for the caller to complete.
@@ -61,7 +62,7 @@ class AxesPosition {
 
     const machine::Chain* chain_ = nullptr;  // null if the machine has no transformation
     bool is_transformed_ = false;
-    path::VirtualAxes virtual_;  // in which the tip is told, if they are on
+    path::VirtualAxes virtual_;  // in which the tip is given, if they are on
     path::Vec3 tip_ = path::Vec3::Zero();
     std::array<double, kFollowers> followers_{};
     path::Vec3 tool_ = path::Vec3::UnitZ();  // from tip to holder

@@ -89,7 +89,7 @@ void StretchBuilder::join(const Part& part) {
         ramps_ = both_ramps(open);
     } else {
         const Stretch before = open;
-        // Every boundary of pieces behind the first ramps is a place to split.
+        // Every boundary of pieces behind the first ramps is a point to split.
         if (cut_ == 0 && open.length >= ramps_) {
             cut_ = parts_.size();
             cut_length_ = open.length;

@@ -16,11 +16,11 @@ using machine::Chain;
 using machine::ChainPosition;
 using path::Vec3;
 
-// Beside the pole by so much, rad, and by so much of the piece, R1 has a place that tells where it
-// is at the pole.
+// Beside the pole by so much, rad, and by so much of the piece, R1 has a position that tells where
+// it is at the pole.
 constexpr double kBesidePole = 1e-6;
 
-// Differences of places that are rounding, mm and rad.
+// Differences of positions that are rounding, mm and rad.
 constexpr double kRounding = 1e-11;
 
 // Of what an axis needs, the most by which the parts of an even piece may differ.
@@ -28,21 +28,21 @@ constexpr double kEvenRate = 1.2;
 constexpr double kEvenBend = 1.5;
 // Below this part of its acceleration the bending of an axis does not matter.
 constexpr double kSlightBend = 0.3;
-// … and this part more or less of it is no error of a course.
+// … and this part more or less of it is no error of a polynomial.
 constexpr double kCourseError = 0.01;
 constexpr double kCourseErrorOfCell = 5e-4;
-// … nor so much of the way that the axis goes: a swing between two nodes would stand out.
+// … nor so much of the path that the axis goes: a swing between two nodes would stand out.
 constexpr double kCourseShare = 2e-4;
 constexpr double kSlightError = 1e-9;  // mm, rad: of which that is not asked
-// The error of the rate at the ends of a course, per step, is so often that an eighth of the way
-// inside, and may be this part of a velocity, and this part of an acceleration that the path has
-// where it speeds up as much as the axes allow.
+// The error of the rate at the ends of a polynomial, per step, is so often that an eighth of the
+// piece inside, and may be this part of a velocity, and this part of an acceleration that the path
+// has where it speeds up as much as the axes allow.
 constexpr double kEndRate = 7.3;
 constexpr double kVelocityError = 5e-4;
 constexpr double kAccelerationError = 5e-4;
 // More parts a motion has not; the rest is taken as it comes.
 constexpr std::size_t kMostParts = 2048;
-// Between two nodes of a course no joint turns farther, rad.
+// Between two nodes of a polynomial no joint turns farther, rad.
 constexpr double kNodeTurn = 0.2;
 // A swing of R1 near the pole may be cut as finely as this, in parts of the piece.
 constexpr double kFinest = 1e-9;
@@ -116,8 +116,8 @@ LogicalAxes complete(const Chain& chain, const Segment& piece, const Vec3& tip,
     return axes;
 }
 
-/// At the pole R1 has the place with which the tool gets there: a nutating head's still moves. From
-/// two places beside it, since so near to the pole the rounding of a direction would turn R1.
+/// At the pole R1 has the position with which the tool gets there: a nutating head's still moves.
+/// From two points beside it, since so near to the pole the rounding of a direction would turn R1.
 double first_at_pole(const Chain& chain, const Segment& piece, double distance, const Vec3& near) {
     const path::OrientLaw& orientation = piece.orientation;
     const double inwards = distance > orientation.length / 2 ? -1 : 1;
@@ -144,8 +144,8 @@ Vec3 joints_along(const Chain& chain, const Segment& piece, double distance, con
     return joints;
 }
 
-/// On a face or a cylinder the tool stands as it does, and a rotary axis follows the path. Where it
-/// turns alone, in the centre of a face, it is a follower like any other.
+/// In polar or cylindrical coordinates the tool stands as it does, and a rotary axis follows the
+/// path. Where it turns alone, in the centre of polar coordinates, it is a follower like any other.
 ToolPose virtual_near(const Segment& piece, double distance, const Vec3& tip,
                       const LogicalAxes& near) {
     ToolPose placed;
@@ -191,7 +191,7 @@ Vec3 tip_beside(const Chain& chain, const Segment& piece, double distance, const
     return aside ? Vec3(point + *aside) : point;  // that there is one was checked
 }
 
-/// From point to point the axes say where the tip is.
+/// From point to point the axes tell where the tip is.
 ToolPose pose_straight(const Chain& chain, const Segment& piece, double distance,
                        const Vec3& point) {
     ToolPose placed;
@@ -283,13 +283,13 @@ Vec3 tip_at(const Chain& chain, const LogicalAxes& axes, const Vec3& carrier) {
     return machine::forward(chain, position, -carrier).tip;
 }
 
-// ------------------------------------------------------------------------------ courses
+// ------------------------------------------------------------------------------ polynomials
 
 namespace {
 
 constexpr std::size_t kIntervals = 4;
 
-/// Places at equal distances, each found from the one before it.
+/// Positions at equal distances, each found from the one before it.
 std::array<LogicalAxes, kIntervals + 1> nodes_of(const Chain& chain, const Segment& piece) {
     std::array<LogicalAxes, kIntervals + 1> nodes;
     LogicalAxes near = start_of(piece);
@@ -400,9 +400,9 @@ double most_along(const AxisPolynomials& polynomials, const AxisBounds& bounds) 
     return along;
 }
 
-/// Whether the course is the way of the axes between its nodes too, to a small part of what the
-/// limits allow. The error of a polynomial through five places is greatest in its derivatives at
-/// the ends: there it is 30 and 64 times what it is an eighth of the way inside, per step² and
+/// Whether the polynomial is the path of the axes between its nodes too, to a small part of what
+/// the limits allow. The error of a polynomial through five points is greatest in its derivatives
+/// at the ends: there it is 30 and 64 times what it is an eighth of the piece inside, per step² and
 /// step³.
 bool is_exact(const Chain& chain, const Segment& piece, const AxisPolynomials& polynomials,
               const AxisBounds& bounds, double speed, const PartWishes& wishes) {

@@ -1,8 +1,8 @@
 // transformed.h — pieces on whose path the machine's transformation holds the tip of the tool.
 //
-// The tip goes along the curve, the tool turns, and the chain of the machine says where every axis
-// stands for it; exactly, at any distance (motion.md §5). What limits and corners need, the
-// derivatives of the axes by the path, comes from a polynomial through five places of a short
+// The tip goes along the curve, the orientation changes, and the chain of the machine tells where
+// every axis stands for it; exactly, at any distance (motion.md §5). What limits and corners need,
+// the derivatives of the axes by the path, comes from a polynomial through five points of a short
 // piece.
 #pragma once
 
@@ -26,16 +26,16 @@ inline bool gives_direction(const path::OrientLaw& orientation) {
     return orientation.kind > path::OrientKind::Axes;
 }
 
-/// Where the joints of the chain stand, as followers of a piece say it, and the other way round.
+/// Where the joints of the chain stand, as followers of a piece have it, and the other way round.
 path::Vec3 joints_of(const machine::Chain& chain, const std::array<double, kFollowers>& followers);
 void put_joints(const machine::Chain& chain, const path::Vec3& rotary,
                 std::array<double, kFollowers>& followers);
 
-/// The piece as it stands at a distance: without path and without turn.
+/// The piece as it stands at a distance: without path and without orientation.
 Segment standing_at(const Segment& piece, double distance);
 
-/// Where all axes stand at a distance along a piece. A piece on which the tool goes a way of its
-/// own must be as short as even_parts() makes it.
+/// Where all axes stand at a distance along a piece. A piece on which the orientation takes a path
+/// of its own must be as short as even_parts() makes it.
 LogicalAxes axes_at(const machine::Chain& chain, const Segment& piece, double distance);
 
 /// … and where the tip is: on its path, or beside it where the cutter touches there; and the
@@ -55,13 +55,13 @@ LogicalAxes start_of(const Segment& piece);
 ToolPose pose_at(const machine::Chain& chain, const Segment& piece, double distance,
                  const path::Vec3& point);
 
-/// The way of the tip from point to point as lines, for those who draw and measure it: one for
-/// every few degrees that the tool turns. What follows the path is shared out evenly.
+/// The path of the tip from point to point as lines, for those who draw and measure it: one for
+/// every few degrees of orientation. What follows the path is shared out evenly.
 ///
 /// piece  goes_straight()
 std::vector<Segment> tip_lines(const machine::Chain& chain, const Segment& piece);
 
-/// Where the tip is for these axes; Segment::carrier tells how the tool is carried at base.
+/// Where the tip is for these axes; Segment::carrier gives how the tool is carried at base.
 path::Vec3 tip_at(const machine::Chain& chain, const LogicalAxes& axes, const path::Vec3& carrier);
 
 /// Positions of the axes over a piece as polynomials of the fourth degree in u = s / length, 0 … 1.

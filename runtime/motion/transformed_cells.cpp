@@ -14,12 +14,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Where p and c are held against the straight line between the ends.
 constexpr std::array<double, 3> kInside{0.25, 0.5, 0.75};
-// Between two such places a difference may be greater by so much.
+// Between two such points a difference may be greater by so much.
 constexpr double kBetween = 1.15;
 // Of an axis' acceleration, the most that may be kept back, and what is none.
 constexpr double kMostKept = 0.006;
 constexpr double kLeastKept = 1e-9;
-// … and beside it, for the error of the course itself.
+// … and beside it, for the error of the polynomial itself.
 constexpr double kCourseKept = 0.002;
 // p of an axis whose velocity limits the path may differ by so much between the ends, and the speed
 // between them be above what holds on the whole cell.

@@ -1,8 +1,8 @@
 // transformed_cells.h — parts of a motion under the transformation as cells (bent_cell.h): where no
-// axis has a limit of its jerk, they are as fast as the axes allow at every place, near a pole of
+// axis has a limit of its jerk, they are as fast as the axes allow at every point, near a pole of
 // R1 too.
 //
-// Every axis goes its own way, so p = dq/ds and c = d²q/ds² are those of its course. Between the
+// Every axis takes its own path, so p = dq/ds and c = d²q/ds² are those of its path. Between the
 // ends of a cell p, c and c·v² differ a little from the straight line; that much of an axis'
 // acceleration is kept back.
 //

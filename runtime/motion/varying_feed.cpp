@@ -9,7 +9,7 @@ namespace kadr::motion {
 
 namespace {
 
-/// Places at which the feed's own acceleration and jerk are looked at, and what they may be above
+/// Points at which the feed's own acceleration and jerk are looked at, and what they may be above
 /// between them: they are polynomials over which the feed changes little.
 constexpr int kPlaces = 16;
 constexpr double kBetween = 1.02;

@@ -1,8 +1,8 @@
 // varying_feed.h — a feed that changes along a piece of path, and how it is run.
 //
-// Where f(s) is the feed at the way s, the piece has a time of its own: τ(s) = ∫ ds/f. To run it as
-// it is means that τ goes by like the time. What the axes need to come up to it, to brake and to
-// pass corners slowly is a rate ρ = dτ/dt between 0 and 1, with a profile over τ as one of speed
+// Where f(s) is the feed at the distance s, the piece has a time of its own: τ(s) = ∫ ds/f. To run
+// it as it is means that τ goes by like the time. What the axes need to come up to it, to brake and
+// to pass corners slowly is a rate ρ = dτ/dt between 0 and 1, with a profile over τ as one of speed
 // over length: v = f·ρ, and
 //   dv/dt   = f·f'·ρ² + f·ρ'
 //   d²v/dt² = f·(f·f')'·ρ³ + 3·f·f'·ρ·ρ' + f·ρ''
@@ -20,7 +20,7 @@ namespace kadr::motion {
 struct VaryingFeed {
     path::FeedPolynomial feed{};  // mm/s (deg/s) over mm (deg)
     double length = 0;            // mm, of the piece
-    double time = 0;          // s: τ at its end; 0: the feed is constant, and this says nothing
+    double time = 0;          // s: τ at its end; 0: the feed is constant, and this has no meaning
     double least = 0;         // mm/s
     double most = 0;          // mm/s
     double acceleration = 0;  // greatest |f·f'|
@@ -38,7 +38,7 @@ struct VaryingFeed {
 /// length  > 0; the feed is above 0 on it and changes by a factor of two at most
 VaryingFeed varying_feed_of(const path::FeedPolynomial& feed, double length);
 
-/// The place at the course's time τ, 0 … time; to the last digits.
+/// The distance at the feed's own time τ, 0 … time; to the last digits.
 double distance_at(const VaryingFeed& varying_feed, double time);
 
 /// What ρ may have: 1/s and 1/s².

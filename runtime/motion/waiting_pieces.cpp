@@ -58,7 +58,7 @@ WaitingPieces::Settled WaitingPieces::settle(std::size_t behind, const Piece& ne
     if (tail == 0) piece.acceleration = std::min(piece.acceleration, next.ramp_before * all);
     if (head == 0 && tail == 0) return {behind, 1, exit_limit};
 
-    // Beside a corner it has less on a short way alone: that is a piece of its own.
+    // Beside a corner it has less on a short distance alone: that is a piece of its own.
     const Piece whole = piece;
     const std::array<double, 4> bounds{0, head, whole.length - tail, whole.length};
     const std::array<double, 3> most{piece.ramp * all, all, next.ramp_before * all};

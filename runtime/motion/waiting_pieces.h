@@ -31,7 +31,7 @@ class WaitingPieces {
     /// Whether all corners that act on the oldest piece are known.
     bool is_oldest_settled() const { return waiting_ > 1 && is_out_of_reach(); }
 
-    /// Parts of a piece that is settled, one or more, at their places in the ring.
+    /// Parts of a piece that is settled, one or more, at their positions in the ring.
     struct Settled {
         std::size_t behind = 0;  // so many pieces are behind the last part
         std::size_t parts = 0;

@@ -42,7 +42,7 @@ bool same_functions(const Block& a, const Block& b) {
     return true;
 }
 
-/// "IC", "DAC", "ACP"; empty: as the modal state says.
+/// "IC", "DAC", "ACP"; empty: as the modal state has it.
 std::string_view mode_of(const Block& block, Slot slot) {
     const bool is_incremental = (block.incremental & bit(slot)) != 0;
     if (slot == Slot::X && block.x_measure == XMeasure::Diameter)

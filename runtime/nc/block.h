@@ -2,7 +2,7 @@
 //
 // No letters, no spelling: those exist only in the writer and the reader. Lengths are mm and angles
 // degrees whatever units the text uses. A Block never touches the heap unless it carries text; it
-// is reset and filled again, so masks and counts say which fields hold.
+// is reset and filled again, so masks and counts tell which fields hold.
 #pragma once
 
 #include <array>
@@ -63,9 +63,9 @@ inline constexpr SlotMask kReadSlots = kPolarSlots | kThroughSlots | bit(Slot::O
 inline constexpr SlotMask kModeSlots =
     kTargetSlots | kCenterSlots | kThroughSlots | bit(Slot::PolarAngle);
 
-/// Whether a word for X says its dimension by itself.
+/// Whether a word for X has a dimension of its own.
 enum class XMeasure : std::uint8_t { Modal, Diameter, Radius };
-/// The way on which a rotary axis comes to its target.
+/// How a rotary axis approaches its target.
 enum class RotaryApproach : std::uint8_t { AsProgrammed, Shortest, Positive, Negative };
 
 /// A function of the vocabulary as it stands in a block, with its parameters.
@@ -88,7 +88,7 @@ struct Block;
 struct BlockContext {
     const Block* caller = nullptr;  // the block of the text that called the cycle
     std::string_view cycle;         // its name
-    std::uint16_t number = 0;       // its place in the dialect's list, from 1
+    std::uint16_t number = 0;       // its index in the dialect's list, from 1
     bool taps = false;
 };
 
@@ -98,8 +98,8 @@ struct Block {
         Comment,   // only a comment
         Raw,       // `text` is a line that goes through as it stands
         Label,     // `text` is a jump target
-        Modal,     // nothing is written; tells the writer that the modal state below is unknown
-        Position,  // nothing is written; tells the writer where the targets that are given stand
+        Modal,     // nothing is written; informs the writer that the modal state below is unknown
+        Position,  // nothing is written; informs the writer where the targets that are given stand
     };
 
     Kind kind = Kind::Nc;
@@ -107,7 +107,7 @@ struct Block {
     Function motion = Function::None;  // None: the modal motion continues
     SlotMask given = 0;                // which of `values` hold
     SlotMask incremental = 0;  // of the given targets and centres: incremental by themselves
-    SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state says
+    SlotMask absolute = 0;     // … absolute by themselves; neither: as the modal state is
     std::uint8_t function_count = 0;
     std::uint8_t argument_count = 0;
     std::int8_t skip_level = -1;            // optional skip level 0…9; -1 none
@@ -118,7 +118,7 @@ struct Block {
     std::uint16_t further_skip_levels = 0;  // bit n: the block is left out at level n as well
     std::uint8_t rotary_approaches = 0;     // of A, B, C: two bits each, a RotaryApproach
     CycleId cycle = 0;                      // holds if Function::Cycle is among the functions
-    // Of its parameters, the first 16, bit i: no word says it, the form of the cycle does.
+    // Of its parameters, the first 16, bit i: no word gives it, the form of the cycle does.
     std::uint16_t cycle_by_form = 0;
     std::int32_t number = -1;           // N; -1 none
     std::uint32_t line = 0;             // line of the ISO-7bit text it came from or went to, from 1
@@ -151,7 +151,7 @@ struct Block {
         comment.clear();
     }
 
-    /// Whether a cycle says it; then line and source are those of the call.
+    /// Whether a cycle gives it; then line and source are those of the call.
     bool is_of_cycle() const { return context != nullptr; }
     bool has(Slot slot) const { return (given & bit(slot)) != 0; }
     double at(Slot slot) const { return values[static_cast<std::size_t>(slot)]; }
@@ -190,7 +190,7 @@ struct Block {
 };
 static_assert(sizeof(Block) <= 736, "blocks travel in batches of a thousand");
 
-/// The function of the group that the block says by itself, the motion code among them; None: none.
+/// The function of the group that the block itself programs, the motion code among them; or None.
 Function programmed_in(const Block& block, Group group);
 
 /// Same meaning: what masks and counts do not name is not compared; nor are line and source.

@@ -17,7 +17,7 @@ class BlockValues {
   public:
     /// References outlive it.
     ///
-    /// points  is told of positions
+    /// points  is given positions
     BlockValues(const DialectTables& tables, const ReadingModes& modes, PointWatch& points,
                 LineFaults& faults)
         : tables_(tables), modes_(modes), points_(points), faults_(faults) {}
@@ -26,7 +26,7 @@ class BlockValues {
     /// so, which was reported.
     ///
     /// words  of `line`
-    /// block  with the functions that the words say; its changes of units act in it already
+    /// block  with the functions that the words program; its changes of units act in it already
     Done put(const Claim& claim, const LexedLine& words, std::string_view line, Block& block);
 
   private:

@@ -190,7 +190,7 @@ Done CallCompiler::take_letter_argument(Call& call, bool is_block) {
     argument.slot = form->slot;
     argument.like = form->like == '\0' ? kNoAddress : tables_.find_address({&form->like, 1});
     if (form->in_series) {
-        // Said again, or out of order: the next round of the series begins.
+        // Given again, or out of order: the next round of the series begins.
         const bool is_later = std::ranges::any_of(series_, [&](char c) { return c >= letter; });
         if (is_later) {
             series_.clear();
@@ -401,7 +401,7 @@ Done CallCompiler::take_call_list(Call& call) {
     return take_close(language_.close);
 }
 
-/// An argument; of a variable alone its place is kept as well, for who takes it by reference.
+/// An argument; of a variable alone its location is kept as well, for who takes it by reference.
 Done CallCompiler::take_listed(CallArgument& out) {
     skip();
     if (peek() == ',' || peek() == language_.close) return kDone;

@@ -49,7 +49,7 @@ class CallCompiler : protected ExpressionCompiler {
     bool comes_to_end();
 
     std::int32_t open_call_ = -1;  // whose words may follow
-    std::vector<char> series_;     // letters of the series that were said in this round
+    std::vector<char> series_;     // letters of the series that were given in this round
     int rounds_ = 0;               // of the series
 };
 

@@ -39,7 +39,7 @@ struct CallForm {
     double number = 0;         // of the code
     bool any_number = false;   // `T{n}`
     bool is_name = false;      // the word itself names the program
-    char program = '\0';       // the address that says the program
+    char program = '\0';       // the address that gives the program
     char repeats = '\0';       // … how often; of a return: how often still
     char start = '\0';         // … the block number where it begins
     char target = '\0';        // of a return: the block of the caller where that goes on
@@ -56,7 +56,7 @@ struct ArgumentForm {
     char like = '\0';         // the address whose numbers it has; none: as it stands
     std::string variable;     // `#24`
     std::uint32_t slot = 0;   // among the variables of the level
-    bool in_series = false;   // said again, it sets the next of its kind
+    bool in_series = false;   // given again, it sets the next of its kind
     bool only_block = false;  // only where whole blocks are arguments
 };
 
@@ -85,7 +85,7 @@ std::optional<std::string> program_of_header(const CallLanguage& calls, std::str
 std::string program_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case);
 /// The kind that programs of a form have, the letters behind their names: SPF of `{name}.SPF`.
 std::string kind_of(const ProgramPattern& pattern);
-/// The kind that a path says with its program; empty: it leaves that open.
+/// The kind that a path gives with its program; empty: it leaves that open.
 std::string kind_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case);
 /// `O12` for the program 12: as a header writes it, for messages.
 std::string shown_program(const CallLanguage& calls, std::string_view name);

@@ -1,6 +1,6 @@
-// command_names.h — what a control can be told, by the names of the vocabulary.
+// command_names.h — what can be programmed on a control, by the names of the vocabulary.
 //
-// For the list that a person asks for; explain() says more of one of them.
+// For the list that a person asks for; explain() tells more of one of them.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace kadr::nc {
 /// meaning, one line of text each, functions first.
 std::vector<std::string> command_names(const Dialect& dialect);
 
-/// What a word with a number (`G68`, `M98`) says on a control.
+/// What a word with a number (`G68`, `M98`) means on a control.
 struct CommandMeaning {
     bool is_call = false;  // of a subprogram or a macro, or its end
     Function function = Function::None;

@@ -167,7 +167,7 @@ class Front {
         return false;
     }
 
-    /// The number of the loop stands last of what the statement says, which begins at `first`.
+    /// The number of the loop stands last in the statement, which begins at `first`.
     int number_at_end(std::size_t first) const {
         std::size_t end = first;
         while (!words_.is_end(end)) ++end;

@@ -26,7 +26,7 @@ struct Instruction {
         Global,   // the variable in slot `index`
         Local,    // the same of the level
         Family,   // the variable of family `index` whose number is on the stack
-        System,   // the quantity `index`, its indices on the stack
+        System,   // the system variable `index`, its indices on the stack
         Input,    // … of open form `index`: the number of the name and its indices on the stack
         Element,  // the declared variable `index`; `count` indices on the stack
         // Component `part()` of such a frame; the axis is one more on the stack.
@@ -109,7 +109,7 @@ struct CallArgument : CallValue {
 struct Call {
     std::int32_t form = -1;  // index into CallLanguage::calls; -1: a statement without a code
     std::string name;        // if it is written in the line
-    std::string kind;        // … and says of which kind the program is
+    std::string kind;        // … and tells of which kind the program is
     Span span;               // of the code or the name
     CallValue program;       // by a number
     CallValue repeats;
@@ -117,7 +117,7 @@ struct Call {
     CallValue target;
     CallValue code;  // the number behind the letter of the code
     std::vector<CallArgument> arguments;
-    bool has_list = false;  // arguments in brackets, by their places
+    bool has_list = false;  // arguments in brackets, by their positions
 };
 
 /// A piece of a line that is printed: text, or a value with its digits.
@@ -144,7 +144,7 @@ struct ControlStatement {
     int loop = 0;
     ValueType type = ValueType::Real;
     Expression type_size;  // characters of a text
-    Span scope;            // of the word that says for whom it is declared, if one does
+    Span scope;            // of the word that tells for whom it is declared, if one does
     std::vector<Declaration> declarations;
     std::string name;                            // of a procedure
     std::vector<ProcedureParameter> parameters;  // … and what it takes
@@ -170,7 +170,7 @@ struct ComputedAxis {
     Expression axis;
 };
 
-/// A code by its place in the list of its group: `G[6]=2`.
+/// A code by its index in the list of its group: `G[6]=2`.
 struct ComputedCode {
     std::uint16_t word = 0;
     Expression group;
@@ -261,7 +261,7 @@ class NameTable {
 
 /// What the axes of the machine are called, by the names that stand for them as an index.
 using MachineAxisNames = std::map<std::string, Axis, std::less<>>;
-/// `AX1` … in the order of these axes, and `X1`, `Y1` …: as machines call them unless told
+/// `AX1` … in the order of these axes, and `X1`, `Y1` …: as machines call them unless set
 /// otherwise.
 MachineAxisNames usual_axis_names(std::span<const Axis> axes);
 
@@ -281,8 +281,8 @@ std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolT
                                       std::string_view line, ControlLine& out,
                                       const LineContext& context = {});
 
-/// What a line is for someone who looks for a place in the program: its targets, and the statement
-/// at its front. Quick: nothing is compiled.
+/// What a line is for someone who looks for a location in the program: its targets, and the
+/// statement at its front. Quick: nothing is compiled.
 struct LineFront {
     std::int64_t number = -1;
     std::string_view label;  // as it stands in the line
@@ -293,7 +293,7 @@ struct LineFront {
 };
 LineFront front_of(const DialectTables& tables, std::string_view line);
 
-/// The number or the text between quotes that stands at a place, as the statement Label has it;
+/// The number or the text between quotes that stands at an index, as the statement Label has it;
 /// empty: none does.
 std::string_view label_at(std::string_view line, std::size_t at);
 

@@ -134,7 +134,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
   private:
-    /// Whether a variable or a function says the axis or the spindle of a word.
+    /// Whether a variable or a function gives the axis or the spindle of a word.
     bool begins_computed_index(std::size_t at, bool is_of_spindle) const {
         if (at >= line_.size()) return false;
         if (begins_reference(at) || (is_of_spindle && line_[at] == language_.open)) return true;
@@ -270,7 +270,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     /// One of the statements that `is_wanted` accepts. Of several patterns with one keyword the
-    /// first that fits is taken; if none does, the fault of the one that came farthest is told.
+    /// first that fits is taken; if none does, the fault of the one that came farthest is reported.
     template <typename IsWanted>
     Try take_pattern(ControlStatement& out, IsWanted is_wanted) {
         skip();
@@ -325,7 +325,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         out.second = {};
     }
 
-    /// `D09 P01 {value} P02 {last} P03 {target}`: a jump that depends on what its values say.
+    /// `D09 P01 {value} P02 {last} P03 {target}`: a jump that depends on what its values are.
     static void make_conditional(ControlStatement& jump) {
         ControlStatement outer;
         outer.kind = Statement::IfDo;
@@ -516,7 +516,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return kDone;
     }
 
-    /// is_bytes  only the decimals are said, `#100[3]`
+    /// is_bytes  only the decimals are given, `#100[3]`
     Done take_printed_value(PrintPiece& out, bool is_bytes) {
         const std::size_t begin = at_;
         if (!take_operand(out.value)) return kFailed;
@@ -619,7 +619,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return kFailed;
     }
 
-    /// `5`, `"CONTOUR"`: what the statement Label says of a target.
+    /// `5`, `"CONTOUR"`: what the statement Label gives for a target.
     Done take_label_number(JumpTarget& out) {
         const std::size_t begin = at_;
         const std::string_view label = label_at(line_, at_);
@@ -633,7 +633,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     // ------------------------------------------------------------ declarations
 
-    /// `NCK`, `CHAN SYNR`, `APR 7` in front of the type say for whom it is declared and who may
+    /// `NCK`, `CHAN SYNR`, `APR 7` in front of the type tell for whom it is declared and who may
     /// read it, `PHU 3 LLI -5 ULI 10` behind it the unit, and what the variable may hold.
     Done take_scope(ControlStatement& out) {
         while (const std::string* const form = scope_word_here()) {
@@ -857,7 +857,7 @@ std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolT
             whole.put_back(out);
             return {};
         }
-        out.clear();  // what is wrong is told of the line as it was written
+        out.clear();  // what is wrong is reported of the line as it was written
     }
     return LineCompiler(tables, symbols, line, out, context).run();
 }

@@ -10,12 +10,12 @@
 namespace kadr::nc {
 
 /// A cycle ends where it began, unless its first parameter is the level to which it goes back: then
-/// it stands there, and one that has a place of its own is somewhere at it. Behind other parameters
+/// it stands there, and one that has an end of its own is somewhere at it. Behind other parameters
 /// `back` is no level.
 struct CycleBack {
     bool is_elsewhere = false;         // along its tool axis: at the level, if that is given
     bool moves_in_plane = false;       // … and in its plane
-    std::optional<std::size_t> level;  // the parameter that says it
+    std::optional<std::size_t> level;  // the parameter that gives it
 };
 
 template <typename Parameters>

@@ -1,7 +1,7 @@
 // cycle_codes.h — codes that are several cycles.
 //
 // On some controls one code is two cycles, as G84 of a FANUC: with Q it taps in strokes. The stroke
-// is modal, so it may be said in another block than the code.
+// is modal, so it may be programmed in another block than the code.
 #pragma once
 
 #include <optional>

@@ -194,7 +194,7 @@ std::vector<std::string> dialect_names(const SearchPath& folders) {
     return names;
 }
 
-/// Says that there is none; the one that may have been meant.
+/// Reports that there is none; the one that may have been meant.
 std::optional<std::string> report_missing(const std::string& name, const SourceRange& location,
                                           const SearchPath& folders, DiagnosticSink& sink) {
     auto report = std::move(sink.report(diag::DialectNotFound, location).arg(name));
@@ -213,7 +213,7 @@ std::optional<std::string> report_missing(const std::string& name, const SourceR
 }
 
 /// Follows `extends` to the root and applies the files from there on. Goes on behind a mistake, so
-/// that one run tells all of them.
+/// that one run reports all of them.
 class ChainLoader {
   public:
     ChainLoader(MachineKind kind, const SearchPath& folders, Sources& sources, DiagnosticSink& sink)

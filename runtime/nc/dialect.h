@@ -1,4 +1,4 @@
-// dialect.h — what a control's XML file says, compiled into tables.
+// dialect.h — what a control's XML file holds, compiled into tables.
 //
 // One description, both directions: the writer and the reader use the same tables. No code asks
 // which control it is.
@@ -28,7 +28,7 @@ struct CycleInfo {
     std::vector<Parameter> parameters;  // names live in the Dialect
     std::string meaning;
     std::string module;      // of the library that has it, if a block of a source can be this cycle
-    std::string file;        // of a control's own cycle: the Kadr file that says what it does
+    std::string file;        // of a control's own cycle: the Kadr file that defines what it does
     std::string curve;       // … or the kind of curve that it moves along (path/curve_registry.h)
     SourceRange file_range;  // where the dialect names either
     bool is_modal = true;    // where cycles are modal: a call is repeated by further axis words
@@ -38,17 +38,17 @@ struct CycleInfo {
     struct Roles {
         int depth = -1;    // the word of the tool axis
         int retract = -1;  // where rapid ends and feed begins
-        int stroke = -1;   // left out: the whole way in one
-        int shift = -1;    // said by the same word as a stroke
+        int stroke = -1;   // left out: the whole depth in one
+        int shift = -1;    // given by the same word as a stroke
         int dwell = -1;
-        int start = -1;        // angle at which a thread begins; said in its block alone
+        int start = -1;        // angle at which a thread begins; given in its block alone
         int first_block = -1;  // number of the block with which the shape begins …
         int last_block = -1;   // … and ends, of a cycle that works along a shape in the program
     };
     Roles roles;
     bool takes_shape() const { return roles.first_block >= 0 && roles.last_block >= 0; }
 
-    /// A parameter that the machine's builder has set for calls which do not say it.
+    /// A parameter that the machine's builder has set for calls which do not give it.
     struct Setting {
         int parameter = 0;
         double value = 0;
@@ -66,7 +66,7 @@ struct AlarmText {
 struct Example {
     std::string source;  // a Kadr statement; empty: the control reads more than Kadr writes
     std::string text;    // what the control reads; lines joined by line ends
-    std::string block;   // `describe` of what it means, if it differs from what the source says
+    std::string block;   // `describe` of what it means, if it differs from what the source means
     std::string meaning;
     std::string gives;         // of the control's language: what its program leaves in variables
     SourceRange source_range;  // of the attributes' values; of the element where there is none
@@ -75,7 +75,7 @@ struct Example {
     SourceRange gives_range;
 };
 
-/// Entries of the tables that texts have used, by their place in memory.
+/// Entries of the tables that texts have used, by their addresses in memory.
 using UsedEntries = std::set<const void*>;
 
 /// Immutable. Movable, not copyable.
@@ -98,24 +98,24 @@ class Dialect {
     /// `refusals` gets the forms that do not fit; null: nobody asks.
     bool has_native_cycle(CycleId cycle, std::uint32_t given, std::span<const double> values = {},
                           std::vector<Refusal>* refusals = nullptr) const;
-    /// Whether the control can say this function at all.
+    /// Whether the control can write this function at all.
     bool can_write(Function function) const;
     /// The increment to which X is written, mm; 0 if the control has no X.
     double written_increment(bool is_inch) const;
-    /// Member of a modal group at power-on; None if the dialect does not say.
+    /// Member of a modal group at power-on; None if the dialect does not have one.
     Function power_on(Group group) const;
     /// Whether the control is a lathe's: X is a diameter at power-on.
     bool is_of_lathe() const { return power_on(Group::Diameter) == Function::DiameterOn; }
     /// The control's alarm for a diagnostic row; nothing if the dialect names none.
-    /// `detail`: what the message says in words that are not the row's, where that decides.
+    /// `detail`: what the message has in words that are not the row's, where that decides.
     std::optional<AlarmText> alarm(const DiagnosticRow& row, std::string_view detail = {}) const;
     /// How the control behaves: what the files set, of what extends the last, and defaults.
     const Rules& rules() const;
     /// Whether a file sets the rule.
     bool names_rule(Rule rule) const;
-    /// The work offset that acts where a program begins, before it says one; 0: none.
+    /// The work offset that acts where a program begins, before it programs one; 0: none.
     int first_work_offset() const;
-    /// The motion that is modal where a program begins, before it says one.
+    /// The motion that is modal where a program begins, before it programs one.
     Function first_motion() const;
     /// The common core, in which the library and most sources are written: it extends nothing.
     bool is_core() const;
@@ -148,11 +148,11 @@ class Dialect {
 using SearchPath = std::vector<std::string>;
 
 /// Loads a dialect by name ("fanuc") or by file. Everything wrong in the file is reported with its
-/// place; nothing is returned then.
+/// location; nothing is returned then.
 std::optional<Dialect> load_dialect(const std::string& name_or_file, const SearchPath& folders,
                                     Sources& sources, DiagnosticSink& sink);
 
-/// What the first tag of a dialect file says.
+/// What the first tag of a dialect file holds.
 struct DialectSummary {
     std::string name;
     std::string title;
@@ -210,7 +210,7 @@ struct Hole {
     // control's `P500` is 0.5 s). A value with a unit of its own is taken as it is, plus offset.
     double factor = 1;
     double offset = 0;
-    bool adds = false;  // it is added to what another argument says of the same parameter
+    bool adds = false;  // it is added to what another argument gives for the same parameter
 };
 
 /// The working planes as a set: bit 0 X-Y, 1 Z-X, 2 Y-Z.
@@ -229,7 +229,7 @@ struct BlockPlan {
     Block block;
     std::vector<Hole> holes;
     PlaneMask planes = kAllPlanes;   // in which its words mean this; in the others something else
-    bool feed_stays_metric = false;  // it says inches, but F stays in mm (`G70` of some controls)
+    bool feed_stays_metric = false;  // it means inches, but F stays in mm (`G70` of some controls)
 };
 
 /// Recognises source words with the tables of the input dialect. Mistakes are reported at the word.
@@ -245,19 +245,19 @@ std::optional<BlockPlan> plan_call(const Dialect& dialect, std::string_view name
 std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address, double number);
 /// The same of a word as it is spelled, `G83`, and of the name of a call, `CYCLE81`.
 std::optional<CycleId> cycle_of_word(const Dialect& dialect, std::string_view word);
-/// Whether a block of a source can be this cycle as the control has it: the text says all that it
+/// Whether a block of a source can be this cycle as the control has it: the text gives all that it
 /// does (no parameter of the machine's builder), and the library has it for every control.
 bool can_be_source(const Dialect& dialect, CycleId cycle);
 
 /// What 1 means behind this address where the number has no decimal point, in the unit of the
-/// address: 0.001 if the control counts positions in increments; 1 if it says what it means.
+/// address: 0.001 if the control counts positions in increments; 1 if the number stands for itself.
 struct PlainNumber {
     double time = 1;        // … and for a feed, a feed per minute
     double revolution = 1;  // a feed per revolution
 };
 PlainNumber plain_number(const Dialect& dialect, std::string_view address, bool is_inch);
 
-/// What a call of the control (`MSG("…")`, `CYCLE81(…)`) says.
+/// What a call of the control (`MSG("…")`, `CYCLE81(…)`) means.
 struct CallMeaning {
     Function function = Function::None;  // None: the control has no such call
     CycleId cycle = 0;

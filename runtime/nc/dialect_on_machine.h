@@ -1,7 +1,7 @@
 // dialect_on_machine.h — a dialect as its control is set up on a kind of machine.
 //
-// Controls for milling and for turning are delivered with other defaults: `lathe` of a <group> says
-// which of them act at power-on of a lathe.
+// Controls for milling and for turning are delivered with other defaults: `lathe` of a <group>
+// tells which of them act at power-on of a lathe.
 #pragma once
 
 #include "nc/dialect.h"

@@ -136,7 +136,7 @@ void add_own_effects(const Rules& rules, Function function, Changer changer, OfF
         case Function::ThreadArcCcw:
         case Function::ParameterInput:
         case Function::LifeInput:
-        case Function::DataInputOff: break;  // of a group: that says it all
+        case Function::DataInputOff: break;  // of a group: that tells it all
         case Function::Probe:
         case Function::MachineCoordinates:
         case Function::ToolOffsetIncrease: does.behind(Kind::LeavesWords).own(); break;
@@ -365,7 +365,7 @@ std::string_view effect_name(EffectKind kind) { return kNames[static_cast<std::s
 Effects effects_of(const Rules& rules, const Block& block, Changer changer) {
     Effects effects;
     if (block.motion != Function::None) effects.add(Effect::of_motion(block.motion));
-    // A rotation turns in the plane of its block, wherever that is said.
+    // A rotation turns in the plane of its block, wherever that is programmed.
     const bool plane_first = block.function_count > 1 && block.find(Function::Rotate) != nullptr;
     const auto is_plane = [&](std::size_t index) {
         return group_of(block.functions[index].function) == Group::Plane;

@@ -2,9 +2,9 @@
 //
 // It is taught here once. Whoever follows a program folds the list into a state of its own, by a
 // switch over the kinds without `default`: the interpreter (what happens), the expander (what an
-// author may compute with), the writer (what its text has said) and the reader (what a line means).
-// They know different things: behind a change of tool the interpreter's position stands, that of
-// the expander is unknown, and the writer still knows X and Y.
+// author may compute with), the writer (what its text has written) and the reader (what a line
+// means). They know different things: behind a change of tool the interpreter's position stands,
+// that of the expander is unknown, and the writer still knows X and Y.
 //
 // It stands in this room, below `control`, because the reader folds it, too.
 #pragma once
@@ -33,7 +33,7 @@ std::string_view effect_name(EffectKind kind);
 enum class When : std::uint8_t {
     AtOnce,        // the words of the block are read so already
     ToolChange,    // with the tool that comes into the spindle, before the others …
-    BeforeMotion,  // … once all functions of the block are known
+    BeforeMotion,  // … when all functions of the block are known
     Behind,        // where the motion of the block has ended
 };
 
@@ -41,7 +41,7 @@ struct Effect {
     EffectKind kind;
     When when;
     Function function;        // that has it; Sets: the new member
-    std::uint8_t invocation;  // its place in the block; kMotionCode: it is the block's motion
+    std::uint8_t invocation;  // its index in the block; kMotionCode: it is the block's motion
 
     static constexpr std::uint8_t kMotionCode = 0xff;
 
@@ -97,7 +97,7 @@ When time_of_stop(const Rules& rules);
 /// Whether the spindle stands behind a change of tool.
 bool stops_at_tool_change(const Rules& rules, Changer changer);
 
-/// What a change of the programmable frame says.
+/// What a change of the programmable frame gives.
 struct FrameChange {
     std::array<double, 3> values{};   // X Y Z: of a shift, or the centre; mm
     std::array<bool, 3> given{};      // which of them are named

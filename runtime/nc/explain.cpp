@@ -1,4 +1,4 @@
-// What a dialect says about a word, in sentences; made from the same tables that read and write.
+// What a dialect holds about a word, in sentences; made from the same tables that read and write.
 #include <algorithm>
 
 #include "base/numbers.h"

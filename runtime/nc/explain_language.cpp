@@ -1,4 +1,4 @@
-// What a dialect says about a word of the control's own language, in sentences.
+// What a dialect holds about a word of the control's own language, in sentences.
 #include <algorithm>
 
 #include "base/text.h"
@@ -81,7 +81,7 @@ std::string_view kind_of(const CallForm& call) {
     return "";
 }
 
-/// Which address of the call says what: `P the program`.
+/// Which address of the call gives what: `P the program`.
 void add_address(char letter, std::string_view meaning, std::string& line) {
     if (letter != '\0') line.append("; ").append(1, letter).append(" is ").append(meaning);
 }
@@ -146,7 +146,7 @@ std::string_view name_of(ValueType type) {
     return "";
 }
 
-/// What a word beside the type of a declaration says.
+/// What a word beside the type of a declaration means.
 std::string_view meaning_of_scope(std::string_view form) {
     if (form.starts_with(".."))
         return "behind the type of a variable says the greatest value that it holds";
@@ -157,7 +157,8 @@ std::string_view meaning_of_scope(std::string_view form) {
     return "before the type of a variable says for whom it is declared";
 }
 
-/// Words beside statements: types, what a head of a program says, components, words with an axis.
+/// Words beside statements: types, what a head of a program declares, components, words with an
+/// axis.
 void explain_names(const Language& language, std::string_view word,
                    std::vector<std::string>& lines) {
     const auto add = [&](bool is_given, std::string_view meaning) {

@@ -363,7 +363,7 @@ Done ExpressionCompiler::fail_unknown(const Word& word) {
     return fail(diag::NameUnknown, {static_cast<std::uint32_t>(word.begin), end});
 }
 
-/// The function whose first form was found; which form it is the arguments tell.
+/// The function whose first form was found; which form it is the arguments decide.
 Done ExpressionCompiler::take_function(const Word& word, const FunctionForm& found) {
     const std::size_t begin = at_;
     if (found.operation == Operation::List || found.operation == Operation::Fill)
@@ -428,7 +428,7 @@ Done ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
     return fail(diag::ArgumentsWrong, span_from(begin));
 }
 
-/// A variable that the program has declared, by its place among them.
+/// A variable that the program has declared, by its index among them.
 Done ExpressionCompiler::take_variable_itself() {
     skip();
     const Word word = words_.word_at(at_);
@@ -541,7 +541,7 @@ Done ExpressionCompiler::index_in_family(const VariableForm& form, std::size_t f
         return kDone;
     }
     if (range->kind == VariableRange::Kind::Unsupported) return fail_unsupported(*range, begin);
-    // Constants and quantities: by their number, as an index that is computed is.
+    // Constants and system variables: by their number, as an index that is computed is.
     emit_number(static_cast<double>(number), ValueType::Int, begin);
     load.kind = Instruction::Kind::Family;
     load.index = static_cast<std::uint32_t>(family);
@@ -658,7 +658,7 @@ Try ExpressionCompiler::take_open_name(const Word& word, Reference& out) {
 Done ExpressionCompiler::take_open_bracket() { return take_open(language_.index_open); }
 
 Done ExpressionCompiler::take_any_index() {
-    // `S1`: a spindle is an axis of the machine, told by its number.
+    // `S1`: a spindle is an axis of the machine, named by its number.
     const Word word = words_.word_at(at_);
     const std::string name = words_.normal(word.text);
     const bool is_spindle = language_.has_axes && name.size() == 2 && name[0] == 'S' &&
@@ -715,8 +715,8 @@ Try ExpressionCompiler::take_own_name(Reference& out) {
     return tried(index_in_family(*form, index, number, begin, out.load));
 }
 
-/// The edge behind the number of a datum, as Quantity::ToolDatum has them. A datum of the whole
-/// tool has no index of an edge.
+/// The edge behind the number of a datum, as SystemQuantity::ToolDatum has them. A datum of the
+/// whole tool has no index of an edge.
 void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin, Instruction& load) {
     emit_number(static_cast<double>(datum * kDatum), ValueType::Int, begin);
     if (load.count == 1) {

@@ -19,7 +19,7 @@ namespace kadr::nc {
 enum class Try : std::uint8_t {
     Absent,  // something else stands there
     Taken,
-    Failed,  // it begins there, and the fault says what is wrong with it
+    Failed,  // it begins there, and the fault tells what is wrong with it
 };
 
 class ExpressionCompiler {
@@ -96,7 +96,7 @@ class ExpressionCompiler {
     std::optional<Axis> axis_named(std::string_view name) const;
     void emit_axis(Axis axis, std::size_t begin);
     Done fail_unknown(const Word& word);
-    /// The function whose first form was found; which form it is the arguments tell.
+    /// The function whose first form was found; which form it is the arguments decide.
     Done take_function(const Word& word, const FunctionForm& found);
     Done take_variable_itself();
     bool has_divided_form(const FunctionForm& found) const;

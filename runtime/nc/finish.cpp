@@ -57,7 +57,7 @@ class Finisher {
             if (first.kind != FormWord::Kind::Fixed)
                 tables_.addresses[first.address].forms.push_back(id);
         }
-        // A form that says several functions serves each of them, behind the form of its own.
+        // A form that programs several functions serves each of them, behind the form of its own.
         for (std::size_t i = 0; i < tables_.forms.size(); ++i) {
             const Form& form = tables_.forms[i];
             if (form.sets.empty() || !form.is_written) continue;
@@ -98,7 +98,8 @@ class Finisher {
             if (code.forms.size() != 1 || code.simple == kNoForm) continue;
             const Form& form = tables_.forms[code.simple];
             code.function = form.function;
-            // Which one of such a group was said last is noted where lines are looked at closely.
+            // Which one of such a group was programmed last is noted where lines are looked at
+            // closely.
             const bool is_noted = info(form.function).group == Group::NonModal && has_default(form);
             code.is_plain = !is_noted && form.function != Function::None && form.sets.empty() &&
                             form.fixed.empty() && form.during.empty() && !form.owns_block &&
@@ -192,7 +193,7 @@ class Finisher {
     }
 
     void check_parameters(const Form& form) {
-        if (form.is_preset) return;  // the call says the rest
+        if (form.is_preset) return;  // the call gives the rest
         const std::span<const Parameter> parameters = tables_.parameters(form);
         std::uint32_t said = 0;
         collect(form.words, said);

@@ -84,7 +84,7 @@ bool begins_code(const DialectTables& tables, char letter) {
     return address != kNoAddress && tables.addresses[address].kind == Address::Kind::Code;
 }
 
-/// Whether a condition has begun in front of the place.
+/// Whether a condition has begun in front of the index.
 bool is_in_condition(std::string_view line, std::size_t at) {
     for (std::size_t i = 0; i < at; ++i) {
         if (!is_letter(line[i])) continue;
@@ -155,7 +155,7 @@ bool is_behind_arc(std::string_view line, std::size_t at) {
     return false;
 }
 
-/// The word that holds the place, or the sign that stands there.
+/// The word that holds the index, or the sign that stands there.
 const std::string* entry_at(const DialectTables& tables, std::string_view line, std::size_t at) {
     if (at >= line.size()) return nullptr;
     if (kSigns.find(line[at]) != kSigns.npos) return entry_of_sign(tables, line, at);
@@ -173,7 +173,7 @@ const std::string* entry_at(const DialectTables& tables, std::string_view line, 
     return by_letter;
 }
 
-/// The word that ends in front of the place, without the blanks between them; empty: none does.
+/// The word that ends in front of the index, without the blanks between them; empty: none does.
 std::string_view word_before(std::string_view line, std::size_t at) {
     at = std::min(at, line.size());
     while (at > 0 && is_blank(line[at - 1])) --at;
@@ -184,7 +184,7 @@ std::string_view word_before(std::string_view line, std::size_t at) {
                                                 : std::string_view();
 }
 
-/// Whether a value stands at the place, in brackets or behind an equals sign: what could be read
+/// Whether a value stands at the index, in brackets or behind an equals sign: what could be read
 /// there is the control's own.
 bool is_value(std::string_view line, std::size_t at) {
     return line.substr(0, at).find_first_of("[(=") != line.npos;

@@ -41,7 +41,7 @@ class LineParser {
                const SourceRange& range, DiagnosticSink& sink)
         : line_(line), parameters_(parameters), tables_(tables), range_(range), sink_(sink) {}
 
-    /// Where a cycle is read, what its block leaves out may have been said before.
+    /// Where a cycle is read, what its block leaves out may have been given before.
     LineParser& completed_by_others(bool is_completed) {
         completed_by_others_ = is_completed;
         return *this;
@@ -549,7 +549,7 @@ bool says(const std::vector<FormWord>& words, int parameter) {
     });
 }
 
-/// `when="number 0"` on a pattern without {number}: the pattern itself says the value.
+/// `when="number 0"` on a pattern without {number}: the pattern itself fixes the value.
 void fix_single_values(Form& form) {
     std::erase_if(form.when, [&](const Constraint& c) {
         if (c.least != c.most || says(form.words, c.parameter)) return false;

@@ -11,7 +11,7 @@
 // A placeholder is {name}, {name?} (may be left out), {name:unit}, {name+6}, {name-6}, {name=0}
 // (written when it is not given), {+name} (written as 0; a value that is read is added to the
 // parameter), {name:named} (the word's presence is the value: written 0), {name:absolute} (read
-// where the word says so by itself, `AC(…)`).
+// where the word is so by itself, `AC(…)`).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// frame_words.h — what the functions of frames say about X.
+// frame_words.h — what the functions of frames give for X.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // head_words.h — the words that stand behind the head of a program, in its line.
 //
-// `O0001 G20` and `%PART G71 *` say the units of all that follows; a head that is passed over whole
+// `O0001 G20` and `%PART G71 *` set the units of all that follows; a head that is passed over whole
 // would lose them.
 #pragma once
 

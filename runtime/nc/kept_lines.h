@@ -41,7 +41,7 @@ class KeptLines {
     }
     /// The calls that have led to the block, the nearest first.
     std::vector<TextLocation> calls(const Block& block) const;
-    /// The line of the block and its first word, the word that set the slot, the one that said the
+    /// The line of the block and its first word, the word that set the slot, the one that gave the
     /// function. Without a text if the line is forgotten.
     TextLocation location(const Block& block) const;
     TextLocation location(const Block& block, Slot slot) const;

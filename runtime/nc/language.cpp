@@ -102,7 +102,7 @@ const VariableRange* find_range(const VariableForm& family, std::int64_t number)
         return number >= range.first && number <= range.last;
     });
     if (found == family.ranges.end()) return nullptr;
-    // What is said to be nothing at all takes numbers away from a file that is extended.
+    // What is declared as nothing at all takes numbers away from a file that is extended.
     const bool is_absent =
         found->kind == VariableRange::Kind::Unsupported && found->meaning.empty();
     return is_absent ? nullptr : &*found;

@@ -127,7 +127,7 @@ struct VariableRange {
         Global,    // a store of the whole run
         Local,     // one of each level of calls
         Constant,  // `value`, read only
-        System,    // a quantity of the interpreter
+        System,    // a system variable of the interpreter
         Same,      // another name of a variable of the family: of number `value`, or that and more
         Input,     // a value of the machine, which programs write as well if `is_shared`
         Bits,      // 32 variables of the family from number `value` on, each a bit
@@ -229,7 +229,7 @@ struct FramePartName {
 struct CodeList {
     std::string group;
     std::vector<std::string> codes;
-    std::int64_t standard = 1;  // the number of the one that acts where none was said; 0: none does
+    std::int64_t standard = 1;  // number of the one that acts where none was given; 0: none does
 };
 
 /// The whole language of a control.
@@ -255,7 +255,7 @@ struct Language {
     // Made when it is loaded.
     bool has_axes = false;              // values may be axes
     bool has_names_with_signs = false;  // `#<_feed>`, spelled out
-    bool has_label_numbers = false;     // targets are what the statement Label says
+    bool has_label_numbers = false;     // targets are what the statement Label finds
     std::uint32_t global_slots = 0;
     std::uint32_t local_slots = 0;
     int lowest_level = 0;              // of the operators: the number of the weakest

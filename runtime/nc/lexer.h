@@ -48,12 +48,12 @@ struct LexedLine {
     }
 };
 
-/// A mistake in a line: the row, its place, and what to say.
+/// A mistake in a line: the row, its location, and what to report.
 struct LineFault {
     const DiagnosticRow* row = nullptr;
     Span span;
     std::vector<std::string> arguments;
-    std::string fix = {};  // where the place itself says what is meant
+    std::string fix = {};  // where the location itself shows what is meant
 };
 
 /// Compiles what stands in a line besides words with numbers: the control's own language. Each call

@@ -33,16 +33,16 @@ class LineFaults {
     /// added.
     DiagnosticBuilder report(std::string_view line, const LineFault& fault,
                              const ForeignLocation& came_up);
-    /// A message that is no alarm, at a place of that line. Who asks writes the notes behind it.
+    /// A message that is no alarm, at a location in that line. Who asks writes the notes behind it.
     DiagnosticBuilder message(const DiagnosticRow& row, std::string_view line,
                               const Span& span) const {
         return message(row, bounds_.location(line, line_number_, span));
     }
-    /// … at a place of a line before it.
+    /// … at a location in a line before it.
     DiagnosticBuilder message(const DiagnosticRow& row, TextLocation location) const {
         return sink_.report(row, std::move(location));
     }
-    /// A place in the line that was begun.
+    /// A location in the line that was begun.
     TextLocation location(std::string_view line, const Span& span) const {
         return bounds_.location(line, line_number_, span);
     }
@@ -51,7 +51,7 @@ class LineFaults {
         failed_ = true;
         if (first_fault_ == 0) first_fault_ = line_number_;
     }
-    /// What was wrong in a line was told, and the lines behind count as before.
+    /// What was wrong in a line was reported, and the lines behind count as before.
     void forget_fault() {
         failed_ = false;
         first_fault_ = 0;
@@ -60,7 +60,7 @@ class LineFaults {
     /// The number of the first line that was wrong; 0: none was.
     std::uint64_t first_fault() const { return first_fault_; }
 
-    /// Adds to each message what is to be said about the place of the line.
+    /// Adds to each message what is to be reported about the location of the line.
     void add_notes(std::function<void(DiagnosticBuilder&)> notes) { notes_ = std::move(notes); }
     void write_notes(DiagnosticBuilder& message) const {
         if (notes_) notes_(message);

@@ -1,5 +1,5 @@
-// line_lexer.h — how a line is split into words: what begins at a place of the line, and how far it
-// goes. Internal to lexer.cpp, lexer_letters.cpp and lexer_names.cpp; others ask lex_line.
+// line_lexer.h — how a line is split into words: what begins at an index of the line, and how far
+// it goes. Internal to lexer.cpp, lexer_letters.cpp and lexer_names.cpp; others ask lex_line.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class Lexer {
 
   private:
     /// Whether what begins here is of the kind that was asked for; then it is in the line, or the
-    /// fault says what is wrong with it.
+    /// fault tells what is wrong with it.
     enum class Claimed : std::uint8_t { No, Yes };
 
     static char upper(char c) { return is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -99,7 +99,7 @@ class Lexer {
     bool is_declared_name() const;
     /// `X1=0`
     Claimed take_extended(std::size_t begin);
-    /// `G[6]=2`: a code by its place in the list of its group; `at_` is behind the letter.
+    /// `G[6]=2`: a code by its index in the list of its group; `at_` is behind the letter.
     Claimed take_code_of_group(std::size_t begin);
     void take_block_number(std::size_t begin);
     /// `10`, `-5.25`, and on some controls `1 0 . 5`.
@@ -129,8 +129,8 @@ class Lexer {
     /// address `ACC[X]`; `at_` is behind the letters that begin at `begin`.
     Claimed take_indexed(std::size_t begin);
     /// `S1=500`, `M1=3`, `SPOS[1]=90`, `S[SPI(1)]=500`: a word of the first spindle, which is the
-    /// master unless the program says otherwise; `at_` is behind the letters that begin at `begin`.
-    /// What the dialect declares for other spindles are addresses of their own.
+    /// master unless the program chooses otherwise; `at_` is behind the letters that begin at
+    /// `begin`. What the dialect declares for other spindles are addresses of their own.
     Claimed take_spindle(std::size_t begin);
     /// `S[R1]=500`, `SPOS[R1]=90`, `ACC[AXV]=50`: words of a spindle or of an axis that is known
     /// when the line runs; `at_` is behind the letters that begin at `begin`.

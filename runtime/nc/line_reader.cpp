@@ -141,7 +141,7 @@ Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
     }
     passed_.announce(*lexed_, line);
     if (lexed_->words.empty()) {
-        // A number, a comment or both say nothing that a control could execute.
+        // A number, a comment or both hold nothing that a control could execute.
         if (block.function_count == 0 && lexed_->passed.empty()) block.kind = Block::Kind::Comment;
         return kDone;
     }
@@ -160,7 +160,7 @@ Done LineReader::fill(std::string_view line, Block& block, MatchedLine* known,
 }
 
 /// Codes that have no decimals stand without a point; none has a sign, or begins with the point.
-/// Notes the M code on the way.
+/// Notes the M code meanwhile.
 Done LineReader::check_code_points(std::string_view line) {
     for (std::size_t i = 0; i < lexed_->words.size(); ++i) {
         const GivenWord& word = lexed_->words[i];

@@ -38,7 +38,7 @@ class LineReader {
     enum class Makes : std::uint8_t { Block, Nothing };
 
     /// The meaning of a line of words and numbers. Where it makes nothing, what is wrong has been
-    /// reported, and `faults().failed()` says so.
+    /// reported, and `faults().failed()` is true.
     Makes read(std::string_view line, std::uint64_t number, Block& block);
 
     // The same in steps, for who knows more kinds of lines.
@@ -53,7 +53,7 @@ class LineReader {
     /// Plain codes and numbers behind letters: nearly every block. The block is empty before. Gives
     /// up, without a word, on anything that needs a second look.
     bool read_plain(std::string_view line, Block& block);
-    /// What kind of line it is; reports what stands in a wrong place.
+    /// What kind of line it is; reports what stands at a wrong location.
     LineKind check_kind(std::string_view line);
     /// A line of the control's own language that the dialect knows by its letters.
     bool read_known(std::string_view line, Block& block);
@@ -74,11 +74,11 @@ class LineReader {
     /// be added.
     DiagnosticBuilder report_event(std::string_view line, const LineFault& fault);
     void report_too_long(std::string_view line, std::uint64_t number);
-    /// Each word of a line that has no effect here is told once.
+    /// Each word of a line that has no effect here is reported once.
     void report_passed(const LexedLine& words, std::string_view line) {
         passed_.announce(words, line);
     }
-    /// The program is at its end: what is doubtful of all its lines is told.
+    /// The program is at its end: what is doubtful of all its lines is reported.
     void finish() { points_.finish(); }
 
     LineFaults& faults() { return faults_; }
@@ -87,7 +87,7 @@ class LineReader {
     const ReadingModes& modes() const { return modes_; }
     ProgramBounds& bounds() { return bounds_; }
     const ProgramBounds& bounds() const { return bounds_; }
-    /// A place in a line of the text.
+    /// A location in a line of the text.
     TextLocation location(std::string_view line, std::uint64_t number, const Span& span) const {
         return bounds_.location(line, number, span);
     }
@@ -110,7 +110,7 @@ class LineReader {
     PassedOver passed_;
     PlainLines plain_;
     BlockValues values_;
-    LexedLine* lexed_ = nullptr;  // of the line that is read, once it is
+    LexedLine* lexed_ = nullptr;  // of the line that is read, when it is
     LexedLine own_lexed_;
     Match match_;
 };

@@ -53,7 +53,7 @@ class LineSource {
     std::uint64_t offset() const { return base_ + at_; }
     /// The next line is the one that begins there; false if the text cannot be read again.
     bool seek(std::uint64_t offset);
-    /// Whether Kadr itself has written the line to say one of its functions.
+    /// Whether Kadr itself has written the line for one of its functions.
     bool is_phrase(std::uint64_t line) const {
         return phrases_ != nullptr && phrases_->is_phrase(line);
     }

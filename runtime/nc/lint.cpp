@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kAnywhere;  // of the attributes that make an element the same again
 
-/// Elements of which a file says one for each thing, and the attributes that tell the thing.
+/// Elements of which a file has one for each thing, and the attributes that name the thing.
 struct Unique {
     std::string_view element;
     std::array<std::string_view, 2> attributes;  // empty: none
@@ -101,7 +101,7 @@ class SenseCheck {
     }
 
     /// The head brings the control to where a Kadr program begins: what it leaves otherwise no
-    /// block says again, and a cycle would drill along another axis.
+    /// block programs again, and a cycle would drill along another axis.
     void check_start(const XmlElement& program) {
         const auto start = std::ranges::find(program.children, "start", &XmlElement::name);
         if (start == program.children.end()) return;
@@ -226,7 +226,7 @@ class SenseCheck {
                                   std::ranges::find(form.sets, *function) != form.sets.end();
                 return says && is_member(form);
             });
-            // What no code says at all is in force until another one says otherwise.
+            // What no code programs at all is in force until one programs another.
             if (is_own || !is_given) continue;
             sink_.report(diag::DialectDefaultStranger, word.range)
                 .arg(word.text)
@@ -234,7 +234,7 @@ class SenseCheck {
         }
     }
 
-    /// Codes that stand for themselves read as what they say.
+    /// Codes that stand for themselves read as what they mean.
     void check_codes(const XmlElement& element) {
         for (const XmlElement& child : element.children) {
             const bool is_code = child.name == "code";
@@ -354,7 +354,7 @@ class SenseCheck {
         }
     }
 
-    /// A word or a sign of one pattern, at a place where the other has another one; or a pattern
+    /// A word or a sign of one pattern, at an index where the other has another one; or a pattern
     /// that goes on where the other one has ended.
     static bool is_told_apart(const StatementForm& a, const StatementForm& b) {
         const std::size_t both = std::min(a.tokens.size(), b.tokens.size());

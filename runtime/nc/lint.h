@@ -13,7 +13,7 @@ namespace kadr::nc {
 /// Reports what in the file itself can hardly be meant, each at its element.
 ///
 /// root     the file's outermost element, of a file that fits the shape of a dialect
-/// dialect  what the file and those that it extends say together
+/// dialect  what the file and those that it extends hold together
 void check_sense(const XmlElement& root, const Dialect& dialect, DiagnosticSink& sink);
 
 }  // namespace kadr::nc

@@ -1,4 +1,4 @@
-// load_attributes.h — what the attributes of a dialect file say, with a message for every mistake.
+// load_attributes.h — what the attributes of a dialect file hold, with a message for every mistake.
 //
 // Knows XML and the vocabulary, not what a value is for: the loaders of load_parts.h know that.
 #pragma once
@@ -26,7 +26,7 @@ const XmlAttribute& needed(const XmlElement& element, std::string_view name);
 bool read_range(std::string_view text, Constraint& out);
 
 /// Reads attributes. A `read_…` leaves `out` as it is when the attribute is not there or is wrong;
-/// what is wrong has then been reported, and `has_failed` says so.
+/// what is wrong has then been reported, and `has_failed` is true.
 class Attributes {
   public:
     explicit Attributes(DiagnosticSink& sink, MachineKind kind = MachineKind::Mill)

@@ -264,7 +264,7 @@ void FormLoader::read_parameters(const XmlAttribute& attribute, const Form& form
     }
 }
 
-/// How the spindle turns behind a cycle, and the parameter that says how it should.
+/// How the spindle turns behind a cycle, and the parameter for how it should.
 void FormLoader::read_spindle(const XmlElement& element, Form& form) {
     std::vector<Function> left;
     attributes_.read_functions(element, "leaves", left);

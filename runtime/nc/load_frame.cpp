@@ -6,7 +6,7 @@ namespace kadr::nc {
 
 namespace {
 
-/// Whether a template's `{word}` is one that the writer fills: its Template says what they mean.
+/// Whether a template's `{word}` is one that the writer fills: its Template tells what they mean.
 bool is_template_word(std::string_view word) {
     if (word == "name" || word == "NAME" || word == "title" || word == "units") return true;
     return word == "number" ||
@@ -115,7 +115,7 @@ void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& a
     check_blocks(element, numbers, attributes);
 }
 
-/// A sign that would end a comment and of which the dialect says nothing.
+/// A sign that would end a comment and of which the dialect has nothing.
 void replace_unless_given(char sign, CommentStyle& style) {
     const bool is_given = std::ranges::any_of(
         style.replacements, [sign](const auto& pair) { return pair.first == sign; });

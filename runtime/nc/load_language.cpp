@@ -90,16 +90,16 @@ class LanguageLoader {
         attributes_.bad_value(value, why);
     }
 
-    /// Whether an operation that has a text takes that of another one, which it was said: `*` would
-    /// be a second sign of the division, and 6*3 were 2. A text may get another meaning, as MOD
-    /// that of another remainder.
+    /// Whether an operation that has a text takes that of another one, which it was given: `*`
+    /// would be a second sign of the division, and 6*3 were 2. A text may get another meaning, as
+    /// MOD that of another remainder.
     template <typename Form, typename IsSame>
     Done require_own_text(const std::vector<Form>& forms, Operation operation,
                           const IsSame& is_same, const XmlAttribute& text) {
         const auto taken = std::ranges::find_if(forms, is_same);
         const bool is_taken = taken != forms.end() && taken->operation != operation;
         const auto own = std::ranges::find(forms, operation, &Form::operation);
-        // What stands twice in one file is told by lint.cpp.
+        // What stands twice in one file is reported by lint.cpp.
         const bool is_new = said_texts_.insert(text.value).second;
         if (!is_taken || own == forms.end() || !is_new) return kDone;
         attributes_.bad_value(text, "it is `" + std::string(info(taken->operation).name) +
@@ -208,7 +208,7 @@ class LanguageLoader {
             return attributes_.bad_value(
                 text, "a name without an end needs `scope=\"input\"` or `scope=\"shared\"`");
         }
-        // Of a family only the numbers that are said become something else.
+        // Of a family only the numbers that are given become something else.
         for (const VariableForm& old : language_.variables) {
             if (old.form == form.form && form.is_family)
                 form.ranges.insert(form.ranges.end(), old.ranges.begin(), old.ranges.end());

@@ -1,6 +1,6 @@
 // load_parts.h — the elements of a dialect file, one loader each.
 //
-// An element replaces what the files that this one extends said about the same thing. Every element
+// An element replaces what the files that this one extends held for the same thing. Every element
 // has the shape of a dialect already; what its values mean is decided here. What patterns build
 // upon (addresses, comment signs) must be loaded before them.
 #pragma once

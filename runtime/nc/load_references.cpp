@@ -22,7 +22,7 @@ std::string normal_word(std::string_view word) {
     return normal;
 }
 
-/// A word as a line says it: in capital letters where both cases are one.
+/// A word as a line has it: in capital letters where both cases are one.
 std::string as_read(const DialectTables& tables, std::string_view word) {
     return tables.notation.ignores_case ? upper_ascii(word) : std::string(word);
 }

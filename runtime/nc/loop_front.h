@@ -13,7 +13,7 @@ namespace kadr::nc {
 bool begins_with_loop(const StatementForm& form);
 
 /// The number that stands in front of the keyword of such a statement at `at`; nothing: the line
-/// says another one there.
+/// has another one there.
 std::optional<int> loop_in_front(const ControlWords& words, std::string_view line,
                                  const StatementForm& form, std::size_t at);
 

@@ -19,7 +19,7 @@ struct LostWord {
 };
 
 /// The words of a block that are not in the text, in the order of the block. None if the block
-/// cannot be planned: plan_block says why.
+/// cannot be planned: plan_block tells why.
 std::vector<LostWord> lost_words(const Dialect& dialect, std::span<const SourceWord> words);
 
 }  // namespace kadr::nc

@@ -143,7 +143,7 @@ class Matcher {
             if (code == nullptr) return MatchFault{MatchFault::Kind::UnknownCode, i};
             return take_form(i, code->forms);
         }
-        // A number that by itself says something (`D0`), if there is such a form.
+        // A number that by itself means something (`D0`), if there is such a form.
         if (!word.is_known || tables_.code_index[word.address].empty()) return {};
         const Code* code = tables_.find_code(word.address, word.number);
         return code == nullptr ? Fault{} : take_form(i, code->forms);
@@ -189,7 +189,7 @@ class Matcher {
     static bool is_nearer(const Fit& fit, const Fit& other) {
         if (fit.is_idle != other.is_idle) return other.is_idle;
         if (fit.matched != other.matched) return fit.matched > other.matched;
-        // Where both refuse one word, the first form says best what it should be.
+        // Where both refuse one word, the first form tells best what it should be.
         const bool is_same = fit.answer == other.answer && fit.culprit == other.culprit;
         return !is_same && !fit.is_of_other_word && other.is_of_other_word;
     }
@@ -201,7 +201,7 @@ class Matcher {
                fit.answer == Fit::Answer::Missing && !fit.is_idle && fit.matched > best_fit.matched;
     }
 
-    /// What the words that are left say by another form of the same code.
+    /// What the words that are left mean by another form of the same code.
     Fault take_joined(std::size_t head, const std::vector<FormId>& candidates, FormId first) {
         for (const FormId id : candidates) {
             const Form& form = tables_.forms[id];
@@ -305,7 +305,7 @@ class Matcher {
     /// The cycle of this block, or the one whose mode lasts.
     CycleId cycle_called(bool by_block) const { return by_block ? block_.cycle : modal_.cycle; }
 
-    /// A block of a source without a motion, which may be a place of a cycle.
+    /// A block of a source without a motion, which may be a position of a cycle.
     bool is_source_place() const {
         return block_.motion == Function::None && block_.find(Function::Cycle) == nullptr &&
                std::ranges::none_of(words_, [](const GivenWord& word) { return word.is_call; });
@@ -369,7 +369,7 @@ class Matcher {
         if (wanted.kind != FormWord::Kind::Value || !tables_.has_incremental_letters) return false;
         const Address& place = tables_.addresses[wanted.address];
         if (place.slot < 0 || place.is_incremental || wanted.dimension != place.dimension)
-            return false;  // the X of a dwell is no place
+            return false;  // the X of a dwell is no position
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (!used_[i] && address(i).is_incremental && address(i).slot == place.slot)
                 return true;
@@ -487,7 +487,7 @@ class Matcher {
         return is_number && is_in_range(form, want, given.number);
     }
 
-    // ------------------------------------------------------------ what a form says
+    // ------------------------------------------------------------ what a form programs
 
     Fault apply(const Form& form, FormId id, std::size_t head, const Fit& fit) {
         if (match_.form_count == match_.forms.size())
@@ -656,11 +656,11 @@ class Matcher {
         return {};
     }
 
-    /// False: a word of the slot cannot be said so.
+    /// False: a word of the slot cannot be given so.
     bool take_mode(GivenWord::Mode mode, Slot slot) {
         using Mode = GivenWord::Mode;
         if (mode == Mode::Modal) return true;
-        if (mode == Mode::Indexed) return false;  // no axis has a table of places
+        if (mode == Mode::Indexed) return false;  // no axis has a table of positions
         if (mode >= Mode::Shortest) {
             if (slot < Slot::A || slot > Slot::C) return false;
             block_.set_rotary_approach(static_cast<Axis>(slot),
@@ -722,7 +722,7 @@ class Matcher {
         return MatchFault{MatchFault::Kind::Alone, *alone_, place_beside().value_or(*alone_)};
     }
 
-    /// Of a function that takes places, the first one that it does not take: Z of `G68 X0 Y0 Z0
+    /// Of a function that takes positions, the first one that it does not take: Z of `G68 X0 Y0 Z0
     /// R30`.
     std::optional<std::size_t> place_beside() const {
         bool takes_places = false;
@@ -749,7 +749,7 @@ class Matcher {
     std::optional<std::size_t> alone_;
     std::optional<std::size_t> without_axes_;
     std::optional<std::size_t> without_places_;
-    std::optional<std::size_t> motion_head_;            // word that says the motion
+    std::optional<std::size_t> motion_head_;            // word that programs the motion
     std::array<std::size_t, kMaxInvocations> heads_{};  // word behind each function
 };
 

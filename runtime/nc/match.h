@@ -29,7 +29,7 @@ struct GivenWord {
         Shortest,
         Positive,
         Negative,
-        Indexed,  // by the number of a place in a table
+        Indexed,  // by the index into a table
     };
     AddressId address = kNoAddress;
     bool has_value = false;
@@ -104,11 +104,11 @@ struct Match {
     std::size_t form_count = 0;
 };
 
-/// What the words are: a text, where words of modal cycles may have been said before and other
-/// cycles' words wait for their turn, or a block of a source, which says all of its own.
+/// What the words are: a text, where words of modal cycles may have been programmed before and
+/// other cycles' words wait for their turn, or a block of a source, which gives all of its own.
 enum class WordsOf : std::uint8_t { Text, Source };
 
-/// Fills the block's functions and motion and says which word's value goes where. The block is
+/// Fills the block's functions and motion and tells which word's value goes where. The block is
 /// empty before; values of words are the caller's matter.
 std::optional<MatchFault> match_words(const DialectTables& tables, std::span<const GivenWord> words,
                                       std::span<const GivenArgument> arguments,

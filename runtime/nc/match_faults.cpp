@@ -48,7 +48,7 @@ Function plane_of(const Form& form) {
     return plane == form.during.end() ? Function::None : *plane;
 }
 
-/// The plane that a line says itself, else the one that acts.
+/// The plane that a line programs itself, else the one that acts.
 Function plane_of(const DialectTables& tables, const LexedLine& lexed, Function modal) {
     for (const GivenWord& word : lexed.words) {
         const Code* const code =

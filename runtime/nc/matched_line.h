@@ -8,8 +8,8 @@
 
 namespace kadr::nc {
 
-/// Holds as long as the modal functions are the same, and if no computed value says what the block
-/// does.
+/// Holds as long as the modal functions are the same, and if what the block does depends on no
+/// computed value.
 class MatchedLine {
   public:
     /// Whether the words mean under these functions what they meant then.

@@ -1,5 +1,5 @@
 // modal_functions.h — which member of each modal group acts: what a line means to its reader, and
-// what a text has said to its writer.
+// what a text has written to its writer.
 #pragma once
 
 #include <array>

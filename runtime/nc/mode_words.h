@@ -1,4 +1,4 @@
-// mode_words.h — words around a value that say how it is meant: `X=AC(10)`, `C=DC(90)`.
+// mode_words.h — words around a value that tell how it is meant: `X=AC(10)`, `C=DC(90)`.
 #pragma once
 
 #include <array>

@@ -31,8 +31,8 @@ double increment_of(const NumberFormat& format, Dimension dimension, const TextU
     return dimension == Dimension::Factor ? 0 : format.increment;
 }
 
-/// Decimals that the control takes. F is the lead of a thread under feed per revolution, if what it
-/// belongs to is one (`G84 F1.5875`); the word by itself does not tell.
+/// Decimals that the control takes. F is the pitch of a thread under feed per revolution, if what
+/// it belongs to is one (`G84 F1.5875`); the word by itself does not tell.
 int read_decimals(const NumberFormat& format, Dimension dimension, const TextUnits& units) {
     const int decimals = text_decimals(format, dimension, units);
     if (dimension != Dimension::Feed || !units.per_revolution) return decimals;
@@ -115,7 +115,7 @@ std::string quantity_words(double number, Dimension dimension, const TextUnits& 
                        std::string(units.per_revolution ? "/rev" : "/min");
             break;
         case Dimension::Speed:
-            // The speed of a cut, or a limit of turns: the message names the word.
+            // The speed of a cut, or a limit of revolutions: the message names the word.
             if (!units.cutting_speed) unit = " rpm";
             break;
         case Dimension::Number:

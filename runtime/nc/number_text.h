@@ -34,7 +34,7 @@ inline int text_decimals(const NumberFormat& format, Dimension dimension, const 
     return is_inch ? format.inch_decimals : format.decimals;
 }
 
-/// The format for the lead of a thread.
+/// The format for the pitch of a thread.
 NumberFormat pitch_format(const NumberFormat& format);
 /// … and for a length that changes the frame: additive ones would add up what is rounded.
 NumberFormat frame_format(const NumberFormat& format);

@@ -21,7 +21,7 @@ struct ParameterName {
     char text[size] = {};
 };
 
-/// The parameter of this name of functions that all have it at the same place:
+/// The parameter of this name of functions that all have it at the same index:
 /// `parameter_of_all<"angle", Function::SurfaceLead, Function::SurfaceTilt>()`. Else it does not
 /// compile.
 template <ParameterName name, Function first, Function... others>

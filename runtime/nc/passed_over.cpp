@@ -78,7 +78,7 @@ const PassedWord* PassedOver::beside(const MatchFault& fault, const LexedLine& w
         if (&other != &word && rule != tables_.passed.end() && found == nullptr)
             found = &rule->second;
     }
-    // What is said of several words is said once.
+    // What is reported of several words is reported once.
     for (auto same = first; found != nullptr && same->first.starts_with(front); ++same) {
         if (same->second.meaning != found->meaning) continue;
         found = &same->second;

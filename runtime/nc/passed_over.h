@@ -1,4 +1,4 @@
-// passed_over.h — words and codes of a text that have no effect here: each is told once.
+// passed_over.h — words and codes of a text that have no effect here: each is reported once.
 #pragma once
 
 #include <set>
@@ -13,7 +13,7 @@ namespace kadr::nc {
 
 class PassedOver {
   public:
-    /// References outlive it. What has no effect is told by `faults`.
+    /// References outlive it. What has no effect is reported by `faults`.
     PassedOver(const DialectTables& tables, LineFaults& faults)
         : tables_(tables), faults_(faults) {}
 
@@ -21,7 +21,7 @@ class PassedOver {
     void announce(const LexedLine& words, std::string_view line);
     /// A form that the words have used, if the control does nothing at it.
     void announce(FormId id, const LexedLine& words, std::string_view line);
-    /// A word that no form takes, and that says something to another one of the block on which
+    /// A word that no form takes, and that means something to another one of the block on which
     /// nothing depends here, is left out of the words: P of `M59 P10`. False: it is no such word.
     bool leave_out(const MatchFault& fault, LexedLine& words, std::string_view line);
 

@@ -13,7 +13,7 @@ namespace kadr::nc {
 
 namespace {
 
-/// What a byte behind the digits of a number says about it.
+/// What a byte behind the digits of a number tells about it.
 enum NumberEnd : std::uint8_t { kEnds = 0, kGoesOn = 1, kIsExpression = 2, kBlank = 4 };
 constexpr std::array<std::uint8_t, 256> number_ends() {
     std::array<std::uint8_t, 256> ends{};
@@ -145,7 +145,7 @@ bool PlainLines::read(std::string_view line, Block& block) const {
         const PlainWord* word = &letters_[letter];
         ++p;
         if (p != end && *p == '=') {
-            // `X=10` says what `X10` says.
+            // `X=10` means what `X10` means.
             const bool is_value = word->kind == PlainWord::Kind::Slot && word->is_literal;
             if (!is_value || !tables_.notation.has_assignment) return false;
             ++p;
@@ -189,7 +189,7 @@ bool PlainLines::read(std::string_view line, Block& block) const {
             if (!known.is_plain) return false;
             const Group group = info(known.function).group;
             const std::uint32_t mask = 1u << static_cast<unsigned>(group);
-            // What changes the meaning of numbers, and groups said twice, are looked at closely.
+            // What changes the meaning of numbers, and groups given twice, are looked at closely.
             if (group == Group::Units || group == Group::FeedMode || group == Group::SpeedMode)
                 return false;
             if ((groups & mask) != 0) return false;
@@ -211,7 +211,7 @@ bool PlainLines::read(std::string_view line, Block& block) const {
             if (block.number > tables_.block_numbers.most ||
                 block.number < tables_.block_numbers.least)
                 return false;
-            // A number alone is no block: it goes the long way, which says what it is.
+            // A number alone is no block: it goes the long path, which finds what it is.
             while (p != end && is_blank(*p)) ++p;
             if (p == end) return false;
         } else {

@@ -19,7 +19,7 @@ class PlainLines {
   public:
     /// References outlive it.
     ///
-    /// points  is told of positions with a decimal point
+    /// points  is given positions with a decimal point
     PlainLines(const DialectTables& tables, const ReadingModes& modes, PointWatch& points);
 
     /// Puts the line into the block, which is empty before. Gives up, without a word and with a
@@ -36,7 +36,7 @@ class PlainLines {
         Dimension dimension = Dimension::Number;
         const NumberFormat* format = nullptr;
         bool is_position = false;  // where a number without a point counts in increments
-        bool is_literal = false;   // a number means what it says, and the control takes every one
+        bool is_literal = false;   // a number is literal, and the control takes every one
     };
     /// A word of several letters, `CR=5`.
     struct PlainName {

@@ -299,7 +299,7 @@ class BlockPlanner {
                                  std::fmod(source.number, front));
     }
 
-    /// Words of arcs beside a motion that is none, as far as the block itself says its motion.
+    /// Words of arcs beside a motion that is none, as far as the block itself programs its motion.
     Done check_arc_words(std::span<const Claim> claims) {
         const Function motion = plan_.block.motion;
         const bool is_straight = has_fact(motion, Fact::Straight);
@@ -417,7 +417,7 @@ std::vector<LostWord> lost_words(const Dialect& dialect, std::span<const SourceW
 
 namespace {
 
-/// What the manual calls the arguments of a call; empty if the dialect does not say it.
+/// What the manual calls the arguments of a call; empty if the dialect does not have it.
 std::span<const std::string> argument_names(const DialectTables& tables, AddressId call) {
     for (const FormId id : tables.addresses[call].forms) {
         if (!tables.forms[id].names.empty()) return tables.forms[id].names;

@@ -13,7 +13,7 @@ namespace {
 /// Positions without a point that are remembered where none has one; behind so many it is how the
 /// text is written.
 constexpr std::size_t kMostSeen = 4096;
-/// Positions without a point among others that are told one by one; more of them are a habit.
+/// Positions without a point among others that are reported one by one; more of them are a habit.
 constexpr int kMostTold = 5;
 
 }  // namespace
@@ -51,7 +51,7 @@ void PointWatch::finish() {
 }
 
 /// A number without a point, which stands at this line and column; false: it was noted before, or
-/// tells that the text is written in increments.
+/// shows that the text is written in increments.
 bool PointWatch::takes(double number, std::uint64_t line, std::uint32_t column) {
     // Far from zero it is no millimetre that lost its point: somebody counts in increments.
     if (std::fabs(number) > danger::kMostWholePosition || seen_.size() == kMostSeen) {
@@ -65,7 +65,7 @@ bool PointWatch::takes(double number, std::uint64_t line, std::uint32_t column) 
     return kept_.size() < std::size_t{kMostTold};
 }
 
-/// What is to be told now: nothing before a position with a point has come.
+/// What is to be reported now: nothing before a position with a point has come.
 std::vector<PointWatch::WholePosition> PointWatch::take_reported() {
     if (!has_points_) return {};
     std::vector<WholePosition> reported = std::exchange(kept_, {});

@@ -20,14 +20,14 @@ inline bool counts_increments(const Address& address) {
     return address.format.increment > 0 && address.format.increment < 1;
 }
 
-/// Whether the word says a position: an end, a centre or a radius.
+/// Whether the word gives a position: an end, a centre or a radius.
 inline bool is_position(Slot slot) {
     return ((kTargetSlots | kCenterSlots | bit(Slot::Radius)) & bit(slot)) != 0;
 }
 
 class PointWatch {
   public:
-    /// References outlive it. What is doubtful is told by `faults`.
+    /// References outlive it. What is doubtful is reported by `faults`.
     PointWatch(const DialectTables& tables, const ReadingModes& modes, LineFaults& faults)
         : tables_(tables), modes_(modes), faults_(faults) {}
 
@@ -36,7 +36,7 @@ class PointWatch {
     void note_point() { has_points_ = true; }
     /// A position of the line, as it was read.
     void watch(const Claim& claim, const LexedLine& words, std::string_view line);
-    /// The program is at its end: positions that all have no decimal point are told.
+    /// The program is at its end: positions that all have no decimal point are reported.
     void finish();
 
   private:
@@ -50,7 +50,7 @@ class PointWatch {
     std::vector<WholePosition> take_reported();
     bool is_all_whole() const { return is_open_ && !has_points_ && count_ >= kLeastPositions; }
 
-    static constexpr int kLeastPositions = 2;  // one alone may be what it says
+    static constexpr int kLeastPositions = 2;  // one alone may be meant so
 
     const DialectTables& tables_;
     const ReadingModes& modes_;

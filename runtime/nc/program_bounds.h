@@ -19,13 +19,13 @@ struct TextState {
     bool has_ended = false;    // the end mark, or the head of another program
 };
 
-/// A place in a line of a file.
+/// A location in a line of a file.
 TextLocation location_in_line(const std::string& file, std::string_view line, std::uint64_t number,
                               const Span& span);
 
 class ProgramBounds {
   public:
-    /// What a line is before its words are looked at: a head in a wrong place is misplaced.
+    /// What a line is before its words are looked at: a head at a wrong location is misplaced.
     enum class LineKind : std::uint8_t { Nothing, Words, Misplaced, WrongNumber };
 
     /// tables  outlive it
@@ -44,7 +44,7 @@ class ProgramBounds {
     /// another one.
     void note_content() { text_->has_content = true; }
 
-    /// Notes what a head or an end mark says.
+    /// Notes what a head or an end mark holds.
     LineKind kind_of(std::string_view line);
     /// The line with blanks in place of a program's head that words stand behind: `O0001 G20`. Any
     /// other line as it is. The text lives until the next head.
@@ -53,7 +53,7 @@ class ProgramBounds {
     std::string_view shown(std::string_view line, std::uint64_t number) const {
         return number == head_number_ && line == head_line_ ? head_text_ : line;
     }
-    /// A place in a line of this text.
+    /// A location in a line of this text.
     TextLocation location(std::string_view line, std::uint64_t number, const Span& span) const {
         return location_in_line(text_->name, shown(line, number), number, span);
     }

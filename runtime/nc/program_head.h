@@ -1,7 +1,7 @@
-// program_head.h — what the lines say that stand before the first block of a program.
+// program_head.h — what the lines program that stand before the first block of a program.
 //
 // They are the dialect's own, so they are read here by its own rules: a program that was written
-// for the control has said this much when its first block comes.
+// for the control has programmed this much when its first block comes.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@
 
 namespace kadr::nc {
 
-/// What the lines say that stand before the first block of a program.
+/// What the lines program that stand before the first block of a program.
 std::vector<Block> blocks_of_head(const Dialect& dialect);
 
-/// The number of the work offset that the head of every program of the control says
-/// (`<start>G54 …`); nothing if it says none.
+/// The number of the work offset that the head of every program of the control programs
+/// (`<start>G54 …`); nothing if it programs none.
 std::optional<int> offset_of_head(const Dialect& dialect);
 
 /// A text that is all there.

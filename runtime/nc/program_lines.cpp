@@ -78,7 +78,8 @@ class Template {
     bool empty_ = false;
 };
 
-/// Whether no line in front of the first block says the units, and the control begins with others.
+/// Whether no line in front of the first block programs the units, and the control begins with
+/// others.
 bool needs_units(const DialectTables& tables, const ProgramInfo& program) {
     const auto has_units = [](const std::string& line) {
         return line.find("{units}") != std::string::npos;

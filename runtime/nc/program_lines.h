@@ -16,9 +16,9 @@ namespace kadr::nc {
 struct ProgramInfo {
     std::string name;  // of the program: "bracket"
     std::int64_t number = 1;
-    std::string title;  // shown behind the name where the control has a place for it
+    std::string title;  // shown behind the name where the control has room for it
     bool is_inch = false;
-    std::int64_t greatest_number = 0;  // that a block says itself; those that are counted lie above
+    std::int64_t greatest_number = 0;  // that a block has itself; those that are counted lie above
 };
 
 /// The lines, filled in for one program, without block numbers and without the sign that ends a

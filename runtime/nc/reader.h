@@ -45,7 +45,7 @@ class BlockLocations {
     virtual bool failed() const = 0;
     /// Whether the blocks ended where somebody wanted them to, in front of more.
     virtual bool stopped() const { return false; }
-    /// Whether a program of the text is called at the places of this block, which is a pattern.
+    /// Whether a program of the text is called at the positions of this block, which is a pattern.
     virtual bool calls_at_positions(const Block& block) const {
         static_cast<void>(block);
         return false;
@@ -58,7 +58,7 @@ class BlockLocations {
 class Reader final : public Stream<Block>, public BlockLocations {
   public:
     /// `name` is shown in messages. A mistake is reported as the control's alarm, the block is
-    /// left out, and `failed()` says so.
+    /// left out, and `failed()` is true.
     Reader(const Dialect& dialect, TextSource& text, std::string name, DiagnosticSink& sink);
     ~Reader() override;
 

@@ -1,5 +1,5 @@
 // reading_modes.h — what the lines before leave for those behind them: the modal functions that are
-// in force, the units of numbers, and which form has said something last.
+// in force, the units of numbers, and which form was used last.
 #pragma once
 
 #include <array>
@@ -32,11 +32,11 @@ class ReadingModes {
     bool may_be_feed_time() const { return feed_is_time_; }
     /// Whether F of threads is their pitch, with the digits of a pitch.
     bool is_feed_pitch() const { return feed_is_pitch_; }
-    /// The form that said something for a group of the dialect last; kNoForm.
+    /// The form that was used for a group of the dialect last; kNoForm.
     FormId last_form(std::size_t group) const { return last_forms_[group]; }
     /// The form that called a cycle last; kNoForm.
     FormId last_cycle() const { return last_cycle_; }
-    /// The number of the last M function; 0: none was said.
+    /// The number of the last M function; 0: none was programmed.
     double machine_code() const { return machine_code_; }
     /// Whether the program has chosen a master spindle, and whether that is not the first one.
     bool has_chosen_master() const { return has_chosen_master_; }
@@ -53,10 +53,10 @@ class ReadingModes {
     void follow_line(const Block& block);
     /// The master spindle, if the block chooses one.
     void follow_master(const Block& block);
-    /// The numbers of the block that began were wrong: its functions say nothing.
+    /// The numbers of the block that began were wrong: its functions have no effect.
     void go_back(const ModalFunctions& before) { modal_ = before; }
     /// Goes back to modal functions of before: adds to the block what restores them, as if words
-    /// had said it, and follows it.
+    /// had programmed it, and follows it.
     void restore(const ModalFunctions& wanted, Block& block);
 
   private:

@@ -11,7 +11,7 @@ namespace kadr::nc {
 
 namespace {
 
-/// What the form says by itself, with all that were made of the same element: `G{number+53}` is a
+/// What the form has by itself, with all that were made of the same element: `G{number+53}` is a
 /// form for each number.
 std::optional<Constraint> said_by_itself(const DialectTables& tables, const Form& form,
                                          int parameter) {

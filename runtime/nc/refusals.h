@@ -1,4 +1,4 @@
-// refusals.h — which forms of a dialect could not say what was given, and why: for the author of
+// refusals.h — which forms of a dialect could not write what was given, and why: for the author of
 // the file, who expected one of them.
 #pragma once
 
@@ -28,7 +28,7 @@ struct Refusal {
 Refusal refusal_of(const DialectTables& tables, const Form& form, std::uint32_t wrong,
                    std::uint32_t given, std::span<const double> values);
 
-/// Parameters that are given, and that the values which the form says or takes (`when`) exclude.
+/// Parameters that are given, and that the values which the form fixes or takes (`when`) exclude.
 std::uint32_t excluded_values(const Form& form, std::uint32_t given,
                               std::span<const double> values);
 

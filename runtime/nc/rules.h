@@ -35,7 +35,8 @@ enum class CompCorner : std::uint8_t { Arc, Intersection, Square };
 /// else of the cutter's centre.
 enum class CompFeed : std::uint8_t { Contour, Center, Inside };
 
-/// What becomes of a path through the centre of a face, where the rotary axis would turn at once.
+/// What becomes of a path through the centre of polar coordinate interpolation, where the rotary
+/// axis would turn at once.
 enum class PolePassage : std::uint8_t { Alarm, Turn };
 
 struct Rules {

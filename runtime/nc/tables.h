@@ -33,13 +33,13 @@ enum class PointRule : std::uint8_t {
 struct NumberFormat {
     int decimals = 3;             // written, metric
     int inch_decimals = 4;        // written for lengths and feeds while lengths are inches
-    int lead_decimals = -1;       // of the lead of a thread; -1: as other numbers
+    int lead_decimals = -1;       // of the pitch of a thread; -1: as other numbers
     int inch_lead_decimals = -1;  // the same in inches
     int frame_decimals = -1;      // of a length that shifts, turns or scales the frame
     PointRule point = PointRule::Needed;
     int digits = 1;        // least digits of a whole number: 2 gives `T03`
     int max_digits = 0;    // most digits after the value is in increments; 0: no limit
-    double increment = 0;  // what 1 means without a point; 0: what it says
+    double increment = 0;  // what 1 means without a point; 0: as it stands
     double inch_increment = 0;
     double revolution_increment = 0;  // the same for a feed per revolution; 0: as `increment`
     bool truncates = false;           // digits beyond `decimals` are dropped when read
@@ -57,13 +57,13 @@ struct Address {
     std::string name;
     std::string doc;
     Kind kind = Kind::Value;
-    int order = 50;  // place of its words in a block, lowest first
+    int order = 50;  // position of its words in a block, lowest first
     int slot = -1;   // Slot that a word sets by itself; -1 none
     Dimension dimension = Dimension::Number;
     std::uint8_t write_max = 1;  // words of it in a block: written
     std::uint8_t read_max = 1;   // … and read
     bool is_block_number = false;
-    bool is_incremental = false;  // its words are distances: U on a lathe is a way along X
+    bool is_incremental = false;  // its words are distances: U on a lathe is a distance along X
     bool is_coordinate = false;   // of a centre: counts as the axis words do, not from the start
     bool is_word_too = false;     // of a call: it also stands by itself, without brackets
     NumberFormat format;
@@ -108,18 +108,18 @@ struct FormWord {
     int tail_value = 0;
     bool is_named_only = false;   // the word stands for itself, its number is always 0 …
     bool is_placeholder = false;  // … or, where it is read, any number, which means nothing
-    bool is_absolute = false;     // said absolute by itself, `AC(…)`; in forms that are read
-    bool is_incremental = false;  // it says by itself that it is incremental: `IC(…)`
+    bool is_absolute = false;     // absolute by itself, `AC(…)`; in forms that are read
+    bool is_incremental = false;  // incremental by itself: `IC(…)`
     bool takes_rotary_approaches =
-        false;  // an angle that may say the way to it: `DC(…)`, `ACP(…)`, `ACN(…)`
-    bool is_pitch = false;     // the lead of a thread, which counts on every turn
+        false;  // an angle that may give its rotary approach: `DC(…)`, `ACP(…)`, `ACN(…)`
+    bool is_pitch = false;     // the pitch of a thread, which counts in every revolution
     bool is_any = false;       // `{}`: a number on which nothing depends; read only
     double plain_factor = 0;   // `s|ms`: as `factor`, of a number without a point; 0: the same
     bool adds = false;         // read: added to the parameter; written: 0
     bool has_default = false;  // written with `fallback` if the parameter was not given
     double fallback = 0;
     bool is_optional = false;
-    bool is_kept = false;             // optional because a cycle before it may have said the word
+    bool is_kept = false;             // optional because a cycle before it may have given the word
     std::vector<FormWord> arguments;  // Call
 };
 
@@ -138,12 +138,12 @@ struct Form {
     std::vector<std::vector<FormWord>> extra;  // further lines, written behind it
     std::vector<FormWord> lead;                // a line that is written before it
     std::vector<Constraint> when;
-    std::vector<std::pair<int, double>> fixed;  // parameters that the form says by itself
+    std::vector<std::pair<int, double>> fixed;  // parameters that the form has by itself
     std::vector<int> implied;    // parameters that the control takes from its position
     std::vector<int> drops;      // parameters that the control needs not know
     int spindle_parameter = -1;  // asks for the spindle behind a cycle: 3, 4, 5; -1: none does
     Function leaves = Function::None;  // what the spindle does behind it
-    std::vector<Function> sets;        // further functions that it says
+    std::vector<Function> sets;        // further functions that it programs
     std::vector<Function> first;       // functions that act before its own where it is read
     std::vector<Function> needs;       // modal functions that are written before it in the line
     std::vector<Function> before;      // functions that are written on lines of their own before it
@@ -153,13 +153,13 @@ struct Form {
     std::vector<AddressId> without;  // words that must not stand beside it
     int group = -1;                  // modal group of the dialect; -1 none
     std::uint64_t excludes = 0;      // groups of the form and of the codes in it, a bit each
-    int order = 0;                   // place in the block: the order of its first word
+    int order = 0;                   // position in the block: the order of its first word
     bool is_written = true;
     bool is_read = true;
     bool owns_block = false;    // stands alone
     bool owns_axes = false;     // no motion and no axis word stands beside it
     bool owns_line = false;     // stands alone where it is written; read, no axis word beside it
-    bool joins = false;         // its code may say it together with another of its forms
+    bool joins = false;         // its code may stand together with another of its forms
     bool owns_address = false;  // no other word of its address stands in the block
     bool remembers = false;     // parameters that are left out keep their value
     bool is_verbatim = false;   // a line of the control's own language, letter by letter
@@ -171,7 +171,7 @@ struct Form {
     bool is_preset = false;          // gives parameters to the next call of the cycle
     bool feed_stays_metric = false;  // of an `inch` code: F is not an inch feed
     bool feed_is_time = false;       // of a code for inverse time: F is the time itself, s
-    bool keeps_length = false;       // the tool length acts in its block unless edge 0 is said
+    bool keeps_length = false;  // the tool length acts in its block unless edge 0 is programmed
     std::string doc;
     std::string note;
     std::vector<std::string> names;  // of a call's arguments, as the control's manual has them
@@ -226,7 +226,7 @@ struct ProgramTemplates {
     std::int64_t most_read_number = 0;  // the greatest that is read; 0: none is looked at
 };
 
-/// What happens if a block says something twice.
+/// What happens if a block programs something twice.
 enum class Repeated : std::uint8_t { Alarm, LastWins };
 
 /// Codes from one number to another; none if there are none between.
@@ -277,7 +277,7 @@ struct PassedWord {
     double most = std::numeric_limits<double>::infinity();
 };
 
-/// Words that are held back until a block programs an axis or says a function.
+/// Words that are held back until a block programs an axis or a function.
 struct Deferred {
     int axis = -1;  // Slot; -1: functions
     std::vector<Function> functions;
@@ -338,8 +338,8 @@ struct DialectTables {
     std::array<std::vector<FormId>, kFunctions> forms_of;
     std::vector<std::vector<FormId>> forms_of_cycle;
     std::array<AddressId, kSlots> slot_address{};         // that writes the slot; kNoAddress
-    std::array<AddressId, kSlots> incremental_address{};  // whose words are ways along the slot
-    bool has_incremental_letters = false;  // distances have letters of their own; no code says it
+    std::array<AddressId, kSlots> incremental_address{};  // whose words are distances along it
+    bool has_incremental_letters = false;  // distances have letters of their own; no code does
     std::vector<Slot> slot_order;          // in which slots are written
     std::array<Function, kGroups> power_on{};
     AddressId builder_address = kNoAddress;     // of the codes that are the builder's: M
@@ -376,7 +376,7 @@ struct DialectTables {
         if (difference > 1e-6 || difference < -1e-6) return nullptr;
         return &codes[index[whole] - 1u];
     }
-    /// The parameters of what the form says: the vocabulary's, or the cycle's.
+    /// The parameters of what the form programs: the vocabulary's, or the cycle's.
     std::span<const Parameter> parameters(const Form& form) const {
         if (form.function == Function::Cycle) return cycles[form.cycle].parameters;
         return info(form.function).parameters;

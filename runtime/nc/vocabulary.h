@@ -57,7 +57,7 @@ enum class Group : std::uint8_t {
 };
 inline constexpr std::size_t kGroups = 28;
 
-/// What is so of a function whatever the program says: the columns of the table.
+/// What is so of a function whatever is programmed: the columns of the table.
 enum class Fact : std::uint8_t {
 #define KADR_FACT(name, meaning) name,
 #include "nc/facts.def"
@@ -118,7 +118,7 @@ constexpr int code_of_spindle(Function spindle) {
     return spindle == Function::SpindleCcw ? 4 : 5;
 }
 
-/// What the table says of the parameters of each function: `offset?:count to:length`.
+/// What the table has of the parameters of each function: `offset?:count to:length`.
 inline constexpr std::array<std::string_view, kFunctions> kParameterTexts = {{
 #define KADR_FUNCTION(id, name, group, facts, parameters, meaning) parameters,
 #include "nc/vocabulary.def"

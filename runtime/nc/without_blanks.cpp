@@ -9,7 +9,7 @@ namespace kadr::nc {
 
 namespace {
 
-/// Every place in a compiled line that names columns.
+/// Every field in a compiled line that names columns.
 class ColumnsOfLine {
   public:
     explicit ColumnsOfLine(const LineWithoutBlanks& written) : written_(written) {}

@@ -16,7 +16,7 @@ struct LineWithoutBlanks {
     std::string text;
     std::vector<std::uint32_t> columns;  // of its characters in the line, and of the line's end
 
-    /// A place in the text as the place in the line, in bytes.
+    /// An index in the text as the index in the line, in bytes.
     void put_back(Span& span) const;
     /// The same for all that was compiled of the text.
     void put_back(ControlLine& line) const;

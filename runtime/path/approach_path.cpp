@@ -17,7 +17,7 @@ Element approach_path_from(const Vec2& point, const Vec2& direction, const Appro
     return {point, end, center, angle};
 }
 
-/// Travelled back it is the way from the place, whose other side is then the left one.
+/// Travelled back it is the path from the point, whose other side is then the left one.
 Element approach_path_to(const Vec2& point, const Vec2& direction, const ApproachPath& approach) {
     return reversed(
         approach_path_from(point, -direction, {approach.shape, approach.size, !approach.is_left}));

@@ -1,4 +1,4 @@
-// approach_path.h — the ways in which a soft approach meets a contour, and a soft retract leaves
+// approach_path.h — the paths on which a smooth approach meets a contour, and a retraction leaves
 // it: lines and arcs that have the contour's direction where they touch it.
 #pragma once
 
@@ -16,9 +16,9 @@ struct ApproachPath {
     bool is_left = true;  // of the arc: the side of the contour, seen in its direction
 };
 
-/// The way that ends at a place in a direction, a unit vector.
+/// The path that ends at a point in a direction, a unit vector.
 Element approach_path_to(const Vec2& point, const Vec2& direction, const ApproachPath& approach);
-/// The way that begins there.
+/// The path that begins there.
 Element approach_path_from(const Vec2& point, const Vec2& direction, const ApproachPath& approach);
 
 }  // namespace kadr::path

@@ -117,7 +117,7 @@ Result<Arc, ArcFault> arc_through(const ArcEnds& ends, const Vec3& through) {
         (a.squaredNorm() * b - b.squaredNorm() * a).cross(w) / (2 * w.squaredNorm());
     const Vec3 normal = w.normalized();
     const double sweep = sweep_between(-to_center, b - to_center, normal);
-    // Of a circle so large that start and end are the same place on it nobody knows how it goes.
+    // Of a circle so large that start and end are the same point on it nobody knows how it goes.
     constexpr double kLargest = 1e12;  // mm
     if (!(sweep > 0) || !(to_center.norm() < kLargest)) return ArcFault::Collinear;
     return Arc{ends.start, ends.end, ends.start + to_center, normal, sweep};

@@ -29,7 +29,7 @@ struct ArcEnds {
     Vec3 end = Vec3::Zero();
 };
 
-/// How the arc turns: as G2/G3 and G17…G19 say.
+/// How the arc turns: as G2/G3 and G17…G19 have it.
 struct ArcTurning {
     Plane plane = Plane::Xy;
     bool is_clockwise = false;  // seen from the positive third axis of the plane

@@ -7,7 +7,7 @@
 
 namespace kadr::path {
 
-/// The columns of the scheme at one parameter; N control points, a cubic if nothing else is said.
+/// The columns of the scheme at one parameter; N control points, a cubic if nothing else is given.
 template <typename Point, std::size_t N = 4>
 struct Casteljau {
     using Points = std::array<Point, N>;

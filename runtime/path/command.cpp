@@ -4,7 +4,7 @@ namespace kadr::path {
 
 namespace {
 
-/// A shape of which nothing is said. What holds nothing need not be made anew.
+/// A shape of which nothing is given. What holds nothing need not be made anew.
 template <typename T>
 void put_shape(Shape& shape) {
     if (auto* same = std::get_if<T>(&shape)) *same = T{};

@@ -1,4 +1,4 @@
-// command.h — what the interpreter tells the motion side.
+// command.h — what the interpreter gives the motion side.
 //
 // Resolved: frames, units, plane, modal state and offsets are worked in; nobody behind this point
 // knows a G-code. Positions are of the tool tip in the base coordinate system, mm and degrees; X of
@@ -98,7 +98,7 @@ struct External {
     static constexpr Op op() { return Op::External; }
 };
 
-/// What says no more than its name.
+/// What has no more than its name.
 class Mark {
   public:
     explicit Mark(Op op);
@@ -112,12 +112,12 @@ class Command {
   public:
     SourceId source;
     std::uint32_t line = 0;   // of the ISO-7bit text
-    std::uint16_t cycle = 0;  // a part of one: its place in the dialect's list, from 1; 0: of none
+    std::uint16_t cycle = 0;  // a part of one: its index in the dialect's list, from 1; 0: of none
     /// Its block is programmed in machine coordinates, whatever a motion's end is in. Of all
     /// commands: a contour ends before the first of such a block.
     bool is_unshifted = false;
 
-    /// A rapid that says nothing.
+    /// A rapid that has no content.
     Command() = default;
     explicit Command(Op op) { become(op); }
 
@@ -126,11 +126,11 @@ class Command {
         return other_op();
     }
     bool is_motion() const { return std::holds_alternative<Motion>(what_); }
-    /// Another op. What it says is not said yet, but for a motion that was one: there all but the
+    /// Another op. What it holds is not given yet, but for a motion that was one: there all but the
     /// shape stays. The head stays.
     void become(Op op);
 
-    // What it says, by the name of its kind.
+    // What it holds, by the name of its kind.
     const Motion& motion() const { return read_as<Motion>(what_); }
     Motion& motion() { return read_as<Motion>(what_); }
     const Spindle& spindle() const { return read_as<Spindle>(what_); }

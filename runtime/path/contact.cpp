@@ -31,7 +31,7 @@ std::optional<Vec3> between(const Contact& contact, const Vec3& tool) {
 std::optional<Vec3> off_face(const Contact& contact, const Vec3& normal, const Vec3& tool) {
     const Vec3 off = (contact.depth + contact.allowance) * normal - contact.depth * tool;
     const double across = contact.radius - contact.depth;
-    if (across == 0) return off;  // a ball, or a face square to the tool
+    if (across == 0) return off;  // a ball, or a surface square to the tool
     const auto outwards = unit_or_none(normal - normal.dot(tool) * tool);
     if (!outwards) return std::nullopt;
     return off + across * *outwards;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 /// How far beyond its ends an element still meets another one, mm: elements that touch at their
-/// ends must be found, whatever the last bits say.
+/// ends must be found, whatever the last bits are.
 constexpr double kReach = 1e-7;
 
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
@@ -145,7 +145,7 @@ bool is_apart(const Rectangle& a, const Rectangle& b, double by) {
 double angle_around(const Element& element, const Vec2& point) {
     const Vec2 a = element.from - point;
     const Vec2 b = element.to - point;
-    // One number says on which side of the chord the point lies, here and below; a point on the
+    // One number tells on which side of the chord the point lies, here and below; a point on the
     // chord is left of it.
     const double side = cross(a, b) + 0.0;
     const double chord = std::atan2(side, a.dot(b));

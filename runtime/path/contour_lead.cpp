@@ -11,7 +11,7 @@ namespace {
 
 Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
 
-/// The way that arrives at `point` along `direction`, its last element first.
+/// The path that arrives at `point` along `direction`, its last element first.
 Contour lead_in(const Vec2& point, const Vec2& direction, double line, double arc, bool is_left) {
     Contour contour;
     Vec2 at = point;
@@ -33,7 +33,7 @@ Contour lead_in(const Vec2& point, const Vec2& direction, double line, double ar
 /// of the wall beside it cannot hide more than the tolerance between them.
 constexpr int kLooks = 500;
 
-/// How far a straight way lies on the path itself, mm from `joint`: a closed contour that is begun
+/// How far a straight line lies on the path itself, mm from `joint`: a closed contour that is begun
 /// on a side comes back along it. What the tool does there it does once more at the end.
 double shared_length(const Contour& contour, const Element& neighbour, const Vec2& joint) {
     if (contour.empty() || contour.front().is_arc() || neighbour.is_arc()) return 0;
@@ -46,15 +46,15 @@ double shared_length(const Contour& contour, const Element& neighbour, const Vec
     return across <= kSamePoint && along.dot(there) > 0 ? there.norm() : 0;
 }
 
-/// Whether the place is on the wrong side of a closed wall; on the wall itself it is not.
+/// Whether the point is on the wrong side of a closed wall; on the wall itself it is not.
 bool is_behind(const Wall& wall, const Vec2& point, bool is_left) {
     if (nearest(wall.contour, point).distance <= kSamePoint) return false;
     const bool is_free_inside = (signed_area(wall.contour) > 0) == is_left;
     return (turns_around(wall.contour, point) != 0) != is_free_inside;
 }
 
-/// Whether a way meets the path elsewhere than at `joint`, or the wall. `neighbour` is the element
-/// of the path that the way may lie on.
+/// Whether a lead meets the path elsewhere than at `joint`, or the wall. `neighbour` is the element
+/// of the path that it may lie on.
 bool cuts(const Contour& contour, const Contour& path, const Element& neighbour, const Vec2& joint,
           bool is_left, const Wall& wall) {
     const std::vector<Vec2> points = intersections(contour, path);
@@ -83,7 +83,7 @@ Result<Contour, LeadFault> with_leads(const Contour& path, const LeadInOut& lead
     const Element& last = path.back();
     Contour in =
         lead_in(first.from, start_direction(first), leads.line_in, leads.arc_in, leads.is_left);
-    // Backwards, the way out is a way in, and left is right.
+    // Backwards, the lead-out is a lead-in, and left is right.
     const Contour out =
         lead_in(last.to, -end_direction(last), leads.line_out, leads.arc_out, !leads.is_left);
     if (cuts(in, path, last, first.from, leads.is_left, wall)) return LeadFault::InCuts;

@@ -1,4 +1,4 @@
-// contour_lead.h — the ways to a contour and from it: straight, by a quarter circle, or both.
+// contour_lead.h — the paths to a contour and from it: straight, by a quarter circle, or both.
 #pragma once
 
 #include "base/result.h"
@@ -6,7 +6,7 @@
 
 namespace kadr::path {
 
-/// Ways that meet the contour with its own direction. mm; 0: none.
+/// Paths that meet the contour with its own direction. mm; 0: none.
 struct LeadInOut {
     double line_in = 0;
     double arc_in = 0;  // radius of a quarter circle between the line and the contour

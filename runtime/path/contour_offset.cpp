@@ -181,7 +181,7 @@ class Offsetting {
     }
 
     /// How near a slice comes to the source. It is on one side of the distance throughout, but
-    /// where curves touch, rounding may have cut beside the place: several points tell more than
+    /// where curves touch, rounding may have cut beside the point: several points tell more than
     /// one.
     double nearest_approach(const Element& slice, double enough) const {
         double best = std::numeric_limits<double>::infinity();
@@ -266,7 +266,7 @@ class Offsetting {
         }
     }
 
-    /// The unused slice that goes on from the end of `last`; at a place where several begin, the
+    /// The unused slice that goes on from the end of `last`; at a point where several begin, the
     /// one that turns most to the side of the free region, so that contours that touch stay apart.
     std::size_t next_of(const Slice& last) const {
         std::size_t best = slices_.size();
@@ -365,7 +365,7 @@ class Offsetting {
         } else if (!slices_[start].is_firm || total <= 4 * kJoin) {
             return true;
         } else if (is_closed_) {
-            return total <= 20 * kJoin;  // crumbs at a touching place, else something is missing
+            return total <= 20 * kJoin;  // crumbs at a touching point, else something is missing
         }
         result.push_back(std::move(contour));
         return true;

@@ -11,7 +11,7 @@ namespace kadr::path {
 
 enum class OffsetFault : std::uint8_t {
     Unresolved,  // the pieces do not join: the contour is degenerate beyond what numbers can tell
-    Stopped,     // `is_over` said so
+    Stopped,     // `is_over` asked for it
 };
 
 /// How far a result may come nearer to the contour than was asked for, mm.

@@ -23,7 +23,7 @@ namespace kadr::path {
 /// A plain value without heap: segments are copied by the million.
 using Curve = std::variant<Point, Line, Helix, CubicSpan, Glide, QuinticSpan, Involute, Parametric>;
 
-/// Whether the curvature may change along it in its own way: a line and an arc have one.
+/// Whether the curvature may change along it in its own manner: a line and an arc have one.
 inline bool bends_freely(const Curve& curve) {
     return std::holds_alternative<CubicSpan>(curve) || std::holds_alternative<QuinticSpan>(curve) ||
            std::holds_alternative<Involute>(curve) || std::holds_alternative<Glide>(curve) ||
@@ -42,7 +42,7 @@ Vec3 end(const Curve& curve);
 /// both exactly; every other point is computed from `s` alone, so nothing accumulates.
 Vec3 position(const Curve& curve, double s);
 
-/// Place, direction and bending at arc length `s`; of a Point the direction is zero.
+/// Point, direction and bending at arc length `s`; of a Point the direction is zero.
 CurvePoint evaluate(const Curve& curve, double s);
 
 /// The piece from arc length `from` to `to`, 0 ≤ from ≤ to ≤ length.

@@ -10,7 +10,7 @@ namespace kadr::path {
 
 namespace {
 
-/// Two places that are nearer, mm, differ by the rounding of frames.
+/// Two points that are nearer, mm, differ by the rounding of frames.
 constexpr double kSamePlace = 1e-9;
 /// A tip that is nearer, mm, is where the arc begins; and what controls forgive turns it by no more
 /// than this, rad.

@@ -8,7 +8,7 @@ namespace kadr::path {
 
 namespace {
 
-/// In a function: registrations run before `main`, in an order that nobody says.
+/// In a function: registrations run before `main`, in an order that nobody knows.
 std::vector<const CurveKind*>& kinds() {
     static std::vector<const CurveKind*> all;
     return all;

@@ -1,4 +1,4 @@
-// dynamics.h — what a program says of how fast its motions may be run: parts of what it asks for
+// dynamics.h — how fast motions may be run as programmed: parts of what the program asks for
 // otherwise, and of what the machine allows.
 //
 // What they mean for a motion is motion/'s matter.
@@ -13,24 +13,24 @@
 
 namespace kadr::path {
 
-/// So far from its axis a degree of a rotary axis is a millimetre of way, mm.
+/// So far from its axis a degree of a rotary axis is a millimetre of path, mm.
 inline constexpr double kRadiusOfDegrees = 180 / std::numbers::pi;
 
 /// How the feed comes to F along a motion.
 enum class FeedCharacteristic : std::uint8_t {
     Constant,    // F from its start on
-    Linear,      // evenly over the way, from the feed before
-    Spline,      // by a cubic spline over the way of several blocks
+    Linear,      // evenly over the path, from the feed before
+    Spline,      // by a cubic spline over the path of several blocks
     Polynomial,  // by one of the third degree, from the feed before
 };
 
-/// What the program says of the course of the feed along a motion, and what has come of it.
+/// The programmed feed characteristic along a motion, and what has come of it.
 struct FeedLaw {
     FeedCharacteristic kind = FeedCharacteristic::Constant;
-    std::uint32_t block = 0;  // of the program: its motions have one course together
-    double square = 0;        // Polynomial: coefficients, unit of F, over the way of the block
+    std::uint32_t block = 0;  // of the program: its motions have one characteristic together
+    double square = 0;        // Polynomial: coefficients, unit of F, over the path of the block
     double cube = 0;
-    /// The feed in the unit of F over the part of this motion's way, 0 … 1, by powers; all 0 where
+    /// The feed in the unit of F over the part of this motion's path, 0 … 1, by powers; all 0 where
     /// F is the feed.
     FeedPolynomial feed{};
 
@@ -39,7 +39,7 @@ struct FeedLaw {
     friend bool operator==(const FeedLaw&, const FeedLaw&) = default;
 };
 
-/// Every part is ≥ 0, 1 where nothing is said.
+/// Every part is ≥ 0, 1 where nothing is programmed.
 struct Dynamics {
     double feed = 1;   // of F
     double rapid = 1;  // of the speed at rapid

@@ -329,7 +329,7 @@ bool CurveFit::Made::take(const Made& next) {
         if ((piece.to - from).dot(next.piece.to - piece.to) <= 0) return false;
     } else {
         off = (piece.center - next.piece.center).norm();
-        // Beyond half a turn a radius by itself no longer says which arc is meant.
+        // Beyond half a turn a radius by itself no longer tells which arc is meant.
         const double sweep = piece.sweep + next.piece.sweep;
         if (piece.sweep * next.piece.sweep < 0 || std::fabs(sweep) > std::numbers::pi + kSame)
             return false;

@@ -27,7 +27,7 @@ struct MeasuredCubic {
     Cubic cubic{};
     double error = 0;  // mm; counts twice where a tolerance is kept
 };
-/// inside   sample at the share kInside of the way between the others
+/// inside   sample at the share kInside of the distance between the others
 /// width    of the parameter between the two
 MeasuredCubic measured_cubic(const CurveSample& begin, const CurveSample& inside,
                              const CurveSample& end, double width);
@@ -35,7 +35,7 @@ MeasuredCubic measured_cubic(const CurveSample& begin, const CurveSample& inside
 /// meet in step.
 inline constexpr double kInside = 0.381966;
 
-/// Nothing if the curve has no point there; who evaluates it has said why.
+/// Nothing if the curve has no point there; who evaluates it has reported why.
 using ParametricCurve = std::function<std::optional<CurveSample>(double parameter)>;
 
 enum class FitKind : std::uint8_t {

@@ -20,7 +20,7 @@ struct Frame {
     Vec3 shift = Vec3::Zero();
 
     Vec3 operator()(const Vec3& point) const { return linear * point + shift; }
-    /// A difference of two points, an arc's way to its centre: the shift does not act.
+    /// A difference of two points, a vector from an arc to its centre: the shift does not act.
     Vec3 direction(const Vec3& vector) const { return linear * vector; }
 };
 
@@ -63,7 +63,7 @@ Mat3 unit_axes(const Frame& frame);
 
 enum class FrameFault { Singular };
 
-/// The way back. A frame that flattens space (a scale of zero) has none.
+/// The inverse. A frame that flattens space (a scale of zero) has none.
 Result<Frame, FrameFault> inverse(const Frame& frame);
 
 /// Roll, pitch, yaw of a pure rotation, rad: x and z in ±π, y in ±π/2. Where y is ±π/2, only the

@@ -1,4 +1,4 @@
-// homogeneous.h — from homogeneous points, weight in the fourth place, to points in space.
+// homogeneous.h — from homogeneous points, weight in the fourth coordinate, to points in space.
 #pragma once
 
 #include "path/spline.h"

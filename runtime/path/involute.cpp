@@ -40,7 +40,7 @@ double unwound_at(double distance, double radius) {
     return std::sqrt(std::max(0.0, (ratio - 1) * (ratio + 1)));
 }
 
-/// The part of a way that lies in the plane.
+/// The part of a distance that lies in the plane.
 Vec3 in_plane(const Vec3& delta, const Vec3& normal) { return delta - delta.dot(normal) * normal; }
 
 double flat_rate(const Involute& involute) {

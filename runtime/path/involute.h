@@ -6,7 +6,7 @@
 //
 // so dC/dt = r·t·e(σt): the length is r·t²/2, and everything is known in closed form. The distance
 // from the centre is r·√(1 + t²), the angle about it σ·(t − atan t). A height along the normal
-// grows evenly with the way in the plane.
+// grows evenly with the path in the plane.
 #pragma once
 
 #include "base/result.h"
@@ -43,7 +43,7 @@ CurvePoint evaluate(const Involute& involute, double s);
 Involute part(const Involute& involute, double from, double to);
 Box bounds(const Involute& involute);
 
-/// What a program says of an involute. It runs counter-clockwise about the normal.
+/// What is programmed for an involute. It runs counter-clockwise about the normal.
 struct InvoluteWords {
     Vec3 start = Vec3::Zero();
     Vec3 center = Vec3::Zero();
@@ -59,8 +59,8 @@ enum class InvoluteFault : std::uint8_t {
 };
 
 /// The base radius with which an involute runs through both ends exactly. An end that lies beside
-/// the involute of the radius that was said is accepted within `tolerance`, mm: how far it is from
-/// that involute.
+/// the involute of the radius that was programmed is accepted within `tolerance`, mm: how far it is
+/// from that involute.
 Result<double, InvoluteFault> base_radius_through(const InvoluteWords& words, const Vec3& end,
                                                   double tolerance);
 

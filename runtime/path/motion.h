@@ -1,7 +1,7 @@
-// motion.h — what a command says of a motion: its end, its shape, its feed, and how the tool turns.
+// motion.h — what a command has of a motion: its end, its shape, its feed, and its orientation.
 //
 // A motion has no start: that is the end of the motion before, so that they stay joined when a
-// stage moves an end. Rare parts are boxed; where they are not there, nothing is said of them.
+// stage moves an end. Rare parts are boxed; where they are not there, nothing is given of them.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ namespace kadr::path {
 enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 enum class Plane : std::uint8_t { Xy, Zx, Yz };
 
-/// How the corner behind a motion is rounded, if the next motion lets it.
+/// How the corner behind a motion is blended, if the next motion lets it.
 enum class BlendKind : std::uint8_t {
     None,
     Distance,   // from `size` before the corner to as far behind it, at most
@@ -59,7 +59,7 @@ struct ArcShape {
 };
 
 /// Of a circle about `center`, counter-clockwise about `normal` from where the tool is to the end;
-/// the height along the normal grows evenly with the way.
+/// the height along the normal grows evenly with the path.
 struct InvoluteShape {
     Vec3 center = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();
@@ -68,12 +68,12 @@ struct InvoluteShape {
 };
 
 struct ThreadShape {
-    double pitch_change = 0;  // by how much the feed changes in a turn, mm/rev
+    double pitch_change = 0;  // by how much the feed changes in a revolution, mm/rev
     double start_deg = 0;     // angle of the spindle at its start
 };
 struct ProbeShape {};
 
-/// In the order of their commands' names: the op of a motion is the place of its shape. A spline is
+/// In the order of their commands' names: the op of a motion is the index of its shape. A spline is
 /// one span, from where the tool is.
 using Shape = std::variant<RapidShape, LineShape, ArcShape, Boxed<SplineShape>, InvoluteShape,
                            Boxed<CurveShape>, ThreadShape, ProbeShape>;
@@ -81,9 +81,9 @@ static_assert(std::variant_size_v<Shape> == static_cast<std::size_t>(Op::Probe) 
 
 // ------------------------------------------------------------------------------ the motion
 
-/// How the tool turns that does not go with the axes: fields as of a Turn, but over the whole
-/// motion: `angle` is rad and `axis` of a Point mm from its start to the end, leans go from the
-/// first to the second.
+/// Orientation interpolation that is not by the axes: fields as of an OrientLaw, but over the whole
+/// motion: `angle` is rad and `axis` of a Point mm from its start to the end, lead and tilt go from
+/// the first to the second.
 struct OrientDetails {
     Vec3 from = Vec3::UnitZ();  // Surface, Point
     Vec3 axis = Vec3::Zero();   // Cone, Surface, Point
@@ -110,7 +110,7 @@ struct Motion {
     AxisValues to{};  // end position of every axis, mm and deg
     Shape shape;
 
-    double feed = 0;  // mm/min, mm/rev or 1/min, as feed_mode says; of a thread mm/rev
+    double feed = 0;  // mm/min, mm/rev or 1/min, by feed_mode; of a thread mm/rev
     FeedMode feed_mode = FeedMode::PerMinute;
     Plane plane = Plane::Xy;
     AxisMask moved = 0;                // axes that the block programmed
@@ -118,20 +118,20 @@ struct Motion {
     bool keeps_feed = false;           // no override of the feed acts, as when tapping
     bool ignores_hold = false;         // a hold waits until the motions with this are through
     bool exact_stop = false;           // ends at rest
-    /// How the tool turns under a transformation: `to` is the tip in the workpiece system or in
-    /// virtual coordinates, and where the rotary axes stand there.
+    /// Orientation interpolation under a transformation: `to` is the tip in the workpiece system or
+    /// in virtual coordinates, and where the rotary axes stand there.
     OrientKind orient_kind = OrientKind::None;
     Blending blending;    // of the corner behind it; none where it ends at rest
     double compress = 0;  // a line may become a part of a curve within this tolerance, mm; 0: it
                           // stays what it is
     Vec3 direction = Vec3::UnitZ();       // of the tool at the end, unit vector from tip to holder
     Boxed<OrientDetails> orient_details;  // Cone, Surface, Point
-    Boxed<ContactMotion> contact;         // the path is that of the place where the cutter touches
-    Boxed<VirtualAxes> virtual_system;  // in which the motion is told; the tool does not turn then
-    Boxed<Dynamics> dynamics;           // where the program says something of it
+    Boxed<ContactMotion> contact;         // the path is that of the point where the cutter touches
+    Boxed<VirtualAxes> virtual_system;  // in which the motion is given; its orientation stays then
+    Boxed<Dynamics> dynamics;           // where they are programmed
 
     Op op() const { return static_cast<Op>(shape.index()); }
-    /// Another op, with a shape of which nothing is said yet; all else stays.
+    /// Another op, with a shape of which nothing is given yet; all else stays.
     void become(Op op);
 
     // The shape, by its name.
@@ -146,9 +146,9 @@ struct Motion {
     const ThreadShape& thread() const { return read_as<ThreadShape>(shape); }
     ThreadShape& thread() { return read_as<ThreadShape>(shape); }
 
-    /// How the tool turns; the least where nothing is said of it.
+    /// Orientation interpolation; the least where nothing is given of it.
     const OrientDetails& orientation() const;
-    /// The tool goes with the axes, or does not turn: nothing more is said of it.
+    /// The tool goes with the axes, or does not change: nothing more is given of it.
     void orient_plainly(OrientKind how) {
         orient_kind = how;
         orient_details.reset();

@@ -12,7 +12,7 @@ namespace kadr::path {
 
 namespace {
 
-/// How many poles and knots of spans that are done are kept before they are given away together.
+/// So many control points and knots of spans that are done are kept, and then given away together.
 constexpr std::size_t kGone = 64;
 
 /// The largest k with Uk ≤ u < U(k+1); at the end the last span that is not empty.
@@ -109,7 +109,7 @@ std::optional<NurbsFault> SplineSpans::add_knot(double knot) {
 }
 
 /// The control point of a span on which the start of the span acts degree − at_end times, the end
-/// at_end times: de Boor's scheme with a place of its own in every column.
+/// at_end times: de Boor's scheme with an index of its own in every column.
 ControlPoint SplineSpans::blossom(std::size_t span, std::size_t at_end) const {
     const std::size_t p = degree_;
     const std::size_t k = span + p - gone_;

@@ -1,7 +1,7 @@
 // nurbs.h — splines by control points, knots and weights: evaluated, measured, cut into spans.
 //
-// Knots U0 … U(n+p+1), degree p, poles P0 … Pn: the curve runs over [Up, U(n+1)]. Both ends are
-// clamped, so it begins in the first and ends in the last pole.
+// Knots U0 … U(n+p+1), degree p, control points P0 … Pn: the curve runs over [Up, U(n+1)]. Both
+// ends are clamped, so it begins in the first and ends in the last control point.
 // source: L. Piegl, W. Tiller, The NURBS Book; motion reference §1.5
 #pragma once
 
@@ -24,11 +24,11 @@ struct Nurbs {
 enum class NurbsFault : std::uint8_t {
     Degree,         // below one
     ControlPoints,  // fewer than degree + 1
-    Counts,         // knots are not poles + degree + 1, or weights not as many as poles
-    Decreasing,     // a knot is less than the one before
-    Unclamped,      // an end is no pole: its knot does not stand degree + 1 times
-    Gap,            // a knot inside stands more than `degree` times: the curve breaks off there
-    Weight,         // not positive
+    Counts,  // knots are not control points + degree + 1, or weights not as many as control points
+    Decreasing,  // a knot is less than the one before
+    Unclamped,   // an end is no control point: its knot does not stand degree + 1 times
+    Gap,         // a knot inside stands more than `degree` times: the curve breaks off there
+    Weight,      // not positive
 };
 std::optional<NurbsFault> fault_of(const Nurbs& nurbs);
 
@@ -49,7 +49,7 @@ struct SplineSpan {
     std::size_t last_control_point = 0;  // the last one that it depends on
 };
 
-/// Cuts a spline into spans while its poles and knots still come, so that it may be of any length.
+/// Cuts a spline of any length into spans while its control points and knots still come.
 class SplineSpans {
   public:
     explicit SplineSpans(int degree = 3) : degree_(static_cast<std::size_t>(degree)) {}

@@ -1,4 +1,4 @@
-// op_names.h — the names of commands, as lists of commands and machine files say them.
+// op_names.h — the names of commands, as lists of commands and machine files spell them.
 #pragma once
 
 #include <optional>

@@ -1,15 +1,15 @@
-// orient_kind.h — the ways on which a tool turns: names and angles that commands say.
+// orient_kind.h — the kinds of orientation interpolation, and angles that commands give.
 #pragma once
 
 #include <cstdint>
 
 namespace kadr::path {
 
-/// How the tool turns while the transformation of the machine holds its tip on the path.
+/// How the orientation goes while the transformation of the machine holds its tip on the path.
 enum class OrientKind : std::uint8_t {
-    None,      // no transformation: every axis goes as `to` says
+    None,      // no transformation: every axis goes as `to` has it
     Straight,  // every axis of the machine goes straight from point to point: the tip is on no path
-    Joints,    // the rotary axes go along a cubic of the path: around a corner that is rounded
+    Joints,    // the rotary axes go along a cubic of the path: around a corner that is blended
     Axes,      // the rotary axes go in proportion to the path
     Cone,      // the tool goes about an axis in space, in proportion to the path; square to the
                // axis that is a great circle
@@ -21,7 +21,7 @@ enum class OrientKind : std::uint8_t {
 /// (motion.md 6.1, MD21094).
 enum class TiltAbout : std::uint8_t { Tangent, Normal };
 
-/// How a tool leans: first from the normal towards the direction of travel, then aside; rad.
+/// How a tool is inclined: first from the normal towards the direction of travel, then aside; rad.
 struct LeadTiltAngles {
     double lead = 0;
     double tilt = 0;

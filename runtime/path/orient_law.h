@@ -1,4 +1,4 @@
-// orient_law.h — how the tool turns while its tip goes along a path.
+// orient_law.h — tool orientation while its tip goes along a path.
 //
 // The direction of the tool as a function of the distance along the path: no machine takes part
 // (machine/), no words (interp/), no time (motion/).
@@ -10,7 +10,7 @@
 
 namespace kadr::path {
 
-/// How the tool turns over a piece of path. A plain value: pieces are copied by the million.
+/// The tool orientation over a piece of path. A plain value: pieces are copied by the million.
 struct OrientLaw {
     OrientKind kind = OrientKind::None;
     double length = 0;  // of the piece's path
@@ -23,26 +23,26 @@ struct OrientLaw {
     LeadTiltAngles lead_tilt;  // Surface
     /// Joints: the rotary axes as three coordinates, rad.
     Glide joints{{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 0};
-    /// Point: the curve is an arc, and the place to which the direction counts lies so far outwards
-    /// of it, mm: it is a way beside the one that is programmed.
+    /// Point: the curve is an arc, and the point to which the direction counts lies so far outwards
+    /// of it, mm: it is a path beside the one that is programmed.
     double outwards = 0;
 };
 
 /// Direction of the tool at a distance along a piece, from tip to holder: unit vector. Of Joints
 /// and Axes it is the chain's matter; there the answer is `start`.
 ///
-/// curve  way of the tip over the piece, of any parameter of the length `turn.length`
+/// curve  path of the tip over the piece, of any parameter of the length `orientation.length`
 Vec3 direction_at(const OrientLaw& orientation, const Curve& curve, double distance);
 
-/// The turn over a part of the piece.
+/// The orientation over a part of the piece.
 OrientLaw part_of(const OrientLaw& orientation, double from, double to);
 
 /// The tool by its angles to a surface: the tangent is brought into the surface, t' = unit(t −
-/// (t·n)n); the lead leans the normal towards t', the tilt turns the result about t' or n.
-/// Motion.md 6.1.
+/// (t·n)n); the lead angle inclines the normal towards t', the tilt angle turns the result about t'
+/// or n. Motion.md 6.1.
 ///
 /// normal   unit vector
-/// tangent  unit vector; where it is along the normal, or zero, a tool that leans has no direction:
+/// tangent  unit vector; where it is along the normal, or zero, an inclined tool has no direction:
 ///          the answer is the normal
 Vec3 leaning(const Vec3& normal, const Vec3& tangent, const LeadTiltAngles& lead_tilt);
 

@@ -1,4 +1,4 @@
-// parameter_point.h — place, direction and bending of a curve C(u) at a parameter.
+// parameter_point.h — point, direction and bending of a curve C(u) at a parameter.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,8 @@ namespace kadr::path {
 /// Of a curve whose parameter goes from 0 to 1.
 ///
 /// at       C, C' and C'' by the parameter: SplinePoint(double)
-/// least    |C'| up to which the curve stands, mm: its direction is then that of the way on, or at
-///          the end that of the way there
+/// least    |C'| up to which the curve stands, mm: its direction is then that of the path behind,
+///          or at the end that of the path before
 /// returns  curvature d²C/ds², 1/mm: what of C'' is across the tangent, divided by |C'|²
 template <typename At>
 CurvePoint parameter_point(const At& at, double u, double least) {

@@ -39,8 +39,8 @@ double speed(const Parametric& curve, double u) {
     return std::isfinite(rate) ? rate : 0;
 }
 
-/// Where the curve turns back between two places, in a cusp: there its speed has a kink, and what
-/// quadrature takes for its error may be nothing by chance.
+/// Where the curve turns back between two parameters, in a cusp: there its speed has a kink, and
+/// what quadrature takes for its error may be nothing by chance.
 std::optional<double> cusp_between(const Parametric& curve, double from, double to) {
     constexpr int kHalvings = 50;
     const SplinePoint before = point_at(curve, from);

@@ -1,6 +1,6 @@
 // parametric.h — a curve of a registered kind, C(u), walked by its arc length.
 //
-// What a kind says is a law: position and two derivatives by the parameter, in plain functions of
+// What a kind gives is a law: position and two derivatives by the parameter, in plain functions of
 // few numbers. Everything else is here and the same for all of them: where the curve lies, its
 // length by adaptive quadrature, the parameter at an arc length, parts. How a kind is made known,
 // and a program comes to name it: curve_registry.h and docs/motion.md.
@@ -90,7 +90,7 @@ std::optional<double> slow_parameter(const Parametric& curve);
 Box bounds(const Parametric& curve);
 
 /// Tangent and curvature at a share of the range of the parameter, 0 … 1; where the curve stands,
-/// as in a cusp, those of the way on.
+/// as in a cusp, those of the path onwards.
 CurvePoint curvature_at(const Parametric& curve, double u);
 /// Arc length up to such a share.
 double length_to(const Parametric& curve, double u);

@@ -8,14 +8,14 @@ namespace kadr::path {
 
 namespace {
 
-// Between two places that are compared the rotary axis turns by less, rad: then none of its turns
+// Between two points that are compared the rotary axis turns by less, rad: then none of its turns
 // is missed. The first halvings are done in any case.
 constexpr double kCloseTurn = 0.25;
 constexpr int kFirstHalvings = 3;
 constexpr int kMostHalvings = 48;
 
 // Turns that differ by rounding are the same, rad; a direction with a smaller part in the plane of
-// the face has none.
+// polar coordinates is none.
 constexpr double kSameTurn = 1e-9;
 
 /// Of a line where it is nearest to the centre, if it goes across it.
@@ -30,7 +30,7 @@ void passages_of_line(const VirtualAxes& axes, const Curve& curve, std::vector<d
     if (at > 0 && at < length && is_at_pole(axes, position(curve, at))) found.push_back(at);
 }
 
-/// The radius changes by no more than the way: what is farther than half of a part is not in it.
+/// The radius changes by no more than the path: what is farther than half of a part is not in it.
 void passages_within(const VirtualAxes& axes, const Curve& curve, double from, double to,
                      std::vector<double>& found) {
     const double middle = (from + to) / 2;

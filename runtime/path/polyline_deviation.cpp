@@ -11,7 +11,7 @@ namespace {
 /// How often the cubic beside a line may be halved for a closer bound. The inner control points of
 /// a bow lie a third higher than the bow; halved once, by a twelfth of it.
 constexpr int kHalvings = 6;
-/// Steps of Newton's method to the place beside the end of a line; the parameter is even along the
+/// Steps of Newton's method to the point beside the end of a line; the parameter is even along the
 /// lines, so the first guess is close.
 constexpr int kSteps = 2;
 constexpr double kLonger = 1.01;

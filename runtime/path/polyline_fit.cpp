@@ -9,7 +9,7 @@ namespace kadr::path {
 
 namespace {
 
-/// Part of the tolerance that is used; the rest is for corners that are rounded behind it.
+/// Part of the tolerance that is used; the rest is for corners that are blended behind it.
 constexpr double kUsed = 0.95;
 /// So often a line may be fitted anew. Smooth lines need the halvings of the longest run, about
 /// ten; lines that are broken out of a run twice as many and a few more.
@@ -138,7 +138,7 @@ class Fit {
         }
     }
 
-    /// The point between both ends that is nearest to the middle of the way.
+    /// The point between both ends that is nearest to the middle of the path.
     std::size_t middle(const PolylinePart& part) const {
         const double half = (lengths_[part.from] + lengths_[part.to]) / 2;
         const auto begin = lengths_.begin() + static_cast<std::ptrdiff_t>(part.from) + 1;

@@ -25,9 +25,9 @@ struct Integral {
     double error = 0;  // what the last halving changed: far above the true error
 };
 
-/// Halves the interval until the halves say the same as the whole, within `tolerance`.
+/// Halves the interval until the halves give the same as the whole, within `tolerance`.
 ///
-/// whole  what `gauss` says of all of it
+/// whole  what `gauss` gives of all of it
 template <typename Function>
 Integral integrate(const Function& f, double from, double to, double tolerance, double whole,
                    int depth = 0) {

@@ -16,11 +16,11 @@ using std::numbers::pi;
 
 /// Two directions that differ by less make no corner: the gap is far below an increment.
 constexpr double kSmooth = 1e-6;           // rad
-constexpr double kHardly = 1e-3;           // rad: … where the sides end at one place, either
+constexpr double kHardly = 1e-3;           // rad: … where the sides end at one point, either
 constexpr double kNear = 10 * kSamePoint;  // mm: the joint of two sides, found as a crossing
 constexpr double kReversal = 1e-9;         // rad short of turning back
 constexpr double kCut = 5e-4;              // mm: half an increment is not a cut into the contour
-constexpr std::size_t kOpenSides = 3;      // that an end is looked for on; S 5.2 does not say
+constexpr std::size_t kOpenSides = 3;      // that an end is looked for on; S 5.2 does not give it
 constexpr int kChords = 64;                // of a conic where it is looked at for collisions
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
@@ -36,9 +36,9 @@ double curvature(const Element& path) {
 /// From the end of one element to the start of the next one, −π … π, counter-clockwise positive.
 ///
 /// At half a turn the tangents do not tell its sense: it is that in which the second element lies
-/// beside the first one just before the corner. At a way s back along the first, which is κ₁·s²/2
-/// left of its tangent, the second one is left of it by δ·s − (κ₁ + κ₂)·s²/2, δ the angle by which
-/// the tangents miss half a turn. Elements that lie on each other there are gone around.
+/// beside the first one just before the corner. At a distance s back along the first, which is
+/// κ₁·s²/2 left of its tangent, the second one is left of it by δ·s − (κ₁ + κ₂)·s²/2, δ the angle
+/// by which the tangents miss half a turn. Elements that lie on each other there are gone around.
 ///
 /// distance  of the cutter, mm, positive to the left
 double turn_between(const Element& before, const Element& after, double distance) {
@@ -105,7 +105,7 @@ std::vector<Vec2> crossings_of(const Curve& a, const Curve& b) {
     return crossings_of_lines(a, b);
 }
 
-/// How far a point on the element's curve is ahead of a place on it, mm along a line, rad along an
+/// How far a point on the element's curve is ahead of a point on it, mm along a line, rad along an
 /// arc.
 double ahead(const Element& path, const Vec2& at, const Vec2& point) {
     if (!path.is_arc()) return (path.to - path.from).normalized().dot(point - at);
@@ -135,8 +135,8 @@ Element trimmed(const Element& path, double from, double to) {
     return arc;
 }
 
-/// The places of `path` of which one is nearest to the curve of `other`: its ends, the foot of the
-/// other's centre and the place opposite to that.
+/// The points of `path` of which one is nearest to the curve of `other`: its ends, the foot of the
+/// other's centre and the point opposite to that.
 std::vector<Vec2> near_points(const Element& path, const Element& other) {
     std::vector<Vec2> points = {path.from, path.to};
     if (!other.is_arc()) {
@@ -169,12 +169,12 @@ double spread(const Element& path) {
 /// Where an element lies that has left another one.
 enum class RelativeSide : std::uint8_t {
     Nowhere,
-    Along,  // it goes the way of what is behind the other
+    Along,  // it goes the path of what is behind the other
     Left,
     Right,
 };
 
-/// On which side of the other the way goes on (direction 1) or comes from (-1), seen from a place
+/// On which side of the other the path goes on (direction 1) or comes from (-1), seen from a point
 /// on one of its pieces at which both meet: nowhere, if it ends before more than rounding is
 /// between them.
 ///
@@ -194,7 +194,7 @@ RelativeSide side_beyond(const std::vector<Element>& elements, std::size_t piece
             is_behind ? end_direction(other) : start_direction(part(other, foot.share, 1));
         const double aside = cross(along, point - foot.point);
         const double touching = kCut + spread(elements[piece]) + spread(other);
-        // … and whoever goes the way of what is behind it, as the next turn of a circle, is beside
+        // … and whoever goes the path of what is behind it, as the next turn of a circle, is beside
         // neither.
         if (std::abs(aside) > touching) {
             const bool is_along =
@@ -214,7 +214,7 @@ RelativeSide side_beyond(const std::vector<Element>& elements, std::size_t piece
     }
 }
 
-/// How far along an element a place on its curve is, from its start; of an arc 0 … 2π.
+/// How far along an element a point on its curve is, from its start; of an arc 0 … 2π.
 double along(const Element& path, const Vec2& point) {
     const double distance = ahead(path, path.from, point);
     return path.is_arc() && distance < -kSmooth ? distance + 2 * pi : distance;
@@ -538,7 +538,8 @@ std::vector<Element> RadiusComp::elements_of(const OffsetElement& side) {
     return elements;
 }
 
-/// Whether the cutter on its way along one side comes too near to the contour's element of another.
+/// Whether the cutter on its path along one side comes too near to another's element of the
+/// contour.
 bool RadiusComp::cuts_into(const OffsetElement& side, const OffsetElement& other) {
     const double apart = std::min(std::abs(side.distance), std::abs(other.distance)) - kCut;
     const std::vector<Element> elements = elements_of(side);

@@ -83,7 +83,7 @@ class RadiusComp {
     std::optional<CompFault> push(const Element& element, double distance, std::size_t index);
     /// The element that the last fault is about.
     std::size_t fault_at() const { return fault_at_; }
-    /// The corner in front of the next element gets an arc about it whatever the rules say; at one
+    /// The corner in front of the next element gets an arc about it whatever the rules are; at one
     /// that closes, where that would cut into the contour, it is a bottleneck.
     void round_next_corner() { rounds_next_ = true; }
     /// The next element is the first one; where it does not fit, the rules' open end counts.
@@ -140,7 +140,7 @@ class RadiusComp {
     bool rounds_next_ = false;
     bool starts_open_ = false;               // the first of `sides_` may be left out
     std::optional<OffsetElement> left_out_;  // … and has been: the elements from there on
-    std::size_t count_left_out_ = 0;         // do not reach the way to the contour
+    std::size_t count_left_out_ = 0;         // do not reach the path to the contour
     std::vector<CompPiece> pieces_;
 };
 

@@ -55,7 +55,7 @@ double speed(const CubicSpan& spline, double u) {
 }
 
 /// Where the speed has a least value far below the mean. Quadrature has to end there: beside such a
-/// place, at the edge of an interval, the rule and its halves would both look past it.
+/// point, at the edge of an interval, the rule and its halves would both look past it.
 template <std::size_t N>
 std::array<double, 2> slow_parameters(const Bezier<N>& spline) {
     constexpr int kSteps = 32;

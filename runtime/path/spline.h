@@ -101,7 +101,7 @@ double parameter_at(const Bezier<N>& spline, double s);
 template <std::size_t N>
 double length_to(const Bezier<N>& spline, double u);
 
-/// Tangent and curvature at a parameter; where the curve stands, those of the way on.
+/// Tangent and curvature at a parameter; where the curve stands, those of the path onwards.
 template <std::size_t N>
 CurvePoint curvature_at(const Bezier<N>& spline, double u);
 

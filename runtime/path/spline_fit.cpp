@@ -13,7 +13,7 @@ namespace kadr::path {
 namespace {
 
 /// A stretch begins with so many intervals of one width. A closed curve is never taken for the
-/// point where it begins; of several numbers the one that needs the fewest poles is taken.
+/// point where it begins; of several numbers the one that needs the fewest control points is taken.
 constexpr std::int64_t kFirstIntervals[] = {8, 10, 12, 14};
 /// Widths are counted in units, so that halving is exact; an interval of one unit that is not good
 /// has a corner in it.
@@ -117,7 +117,7 @@ class Fitter {
         double apart = 0;
         for (std::size_t i = 0; i < 4; ++i) apart = std::max(apart, (own[i] - cubic[i]).norm());
         if (apart + 2 * error <= limit) return true;
-        // Not a number, or no hope that closer samples say something else.
+        // Not a number, or no hope that closer samples show something else.
         if (!(error > kWellMeasured * limit) && !(apart > limit / 2)) return false;
         if (depth >= kDeepest || !std::isfinite(apart + error)) return false;
         const auto [left, right] = split(cubic, kInside);
@@ -224,7 +224,8 @@ class Fitter {
         return Divided::Smoothly;
     }
 
-    /// How much happens between two nodes: the way and, doubled, how far the change of slope leads.
+    /// How much happens between two nodes: the path and, doubled, how far the change of slope
+    /// leads.
     static double unrest(const Node& a, const Node& b) {
         const double width = std::fabs(b.parameter - a.parameter);
         const double turn = (b.at.derivative - a.at.derivative).norm();
@@ -319,7 +320,7 @@ class Fitter {
         return kDone;
     }
 
-    // ------------------------------------------------------------ poles and knots
+    // ------------------------------------------------------------ control points and knots
 
     void append(const SmoothPart& stretch) {
         const Nurbs piece = nurbs_of(stretch);
@@ -339,7 +340,7 @@ class Fitter {
         join(all, piece);
     }
 
-    /// The end of one and the start of the other become one pole, with a knot of three.
+    /// The end of one and the start of the other become one control point, with a knot of three.
     static void join(Nurbs& all, const Nurbs& piece) {
         const double from = all.knots.back();
         all.knots.pop_back();
@@ -373,8 +374,8 @@ class Fitter {
         for (std::size_t i = 1; i < last; ++i) {
             const Cubic behind = cubic(i);
             if (stretch.is_curvature_continuous) {
-                // The pole of three knots lies on the line of two control points of either cubic;
-                // the wider one is stretched less.
+                // The control point of three knots lies on the line of two control points of either
+                // cubic; the wider one is stretched less.
                 const double h0 = knot(i) - knot(i - 1);
                 const double h1 = knot(i + 1) - knot(i);
                 nurbs.control_points.push_back(

@@ -25,7 +25,7 @@ struct SplineFitResult {
 ///
 /// curve    point and derivative by the parameter
 /// options  `kind` does not matter
-/// returns  a spline without poles if the curve does not move
+/// returns  a spline without control points if the curve does not move
 /// source   complete cubic splines: C. de Boor, A Practical Guide to Splines, ch. IV
 SplineFitResult fit_spline(const ParametricCurve& curve, const FitOptions& options);
 

@@ -1,4 +1,4 @@
-// steady.h — polynomial spans that go on towards their end everywhere, told by control points.
+// steady.h — polynomial spans that go on towards their end everywhere, known by control points.
 //
 // What most spans are whose points lie close. Nothing of such a span comes back beside another part
 // of it, and nowhere does it nearly stand; who knows that need not look for it.

@@ -32,7 +32,7 @@ struct SplineEnd {
         Tangent,  // this direction
     };
     Kind kind = Kind::Natural;
-    Vec3 tangent = Vec3::Zero();  // unit vector, along the way
+    Vec3 tangent = Vec3::Zero();  // unit vector, along the path
 };
 
 /// Two points closer than this are one, mm: far below the increment of every control.

@@ -12,9 +12,9 @@ constexpr double kFirstKnot = 1;
 constexpr double kSecondKnot = 1.5;
 constexpr double kLastKnot = 2.5;
 
-// Of the way between an end and the corner. A ramp from v to rest in the time T takes the way
-// v·T/2, so dC/du = 2·way/kLastKnot at the end, three times the way to the second pole; and without
-// acceleration at the end the third is kLastKnot times as far.
+// Of the distance between an end and the corner. A ramp from v to rest in the time T takes the
+// distance v·T/2, so dC/du = 2·distance/kLastKnot at the end, three times that to the second
+// control point; and without acceleration at the end the third is kLastKnot times as far.
 constexpr double kSecondControlPoint = 2.0 / 3.0 / kLastKnot;
 constexpr double kThirdPole = kLastKnot * kSecondControlPoint;
 

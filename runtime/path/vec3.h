@@ -7,7 +7,7 @@ namespace kadr::path {
 
 using Vec3 = Eigen::Vector3d;  // mm, or a unit vector
 
-/// Place, direction and bending of a curve at one arc length.
+/// Point, direction and bending of a curve at one arc length.
 struct CurvePoint {
     Vec3 position = Vec3::Zero();
     Vec3 tangent = Vec3::Zero();    // unit vector of travel

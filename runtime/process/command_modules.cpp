@@ -12,7 +12,7 @@ namespace {
 
 using path::Command;
 
-/// In a function: registrations run before `main`, in an order that nobody says.
+/// In a function: registrations run before `main`, in an order that nobody knows.
 std::map<std::string_view, ModuleFactory>& factories() {
     static std::map<std::string_view, ModuleFactory> all;
     return all;

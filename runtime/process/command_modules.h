@@ -1,7 +1,7 @@
 // command_modules.h — who serves a command: the axes, nobody, or a module written for the machine.
 //
-// The machine file says it (`<pipeline><serve command="function" by="press"/>`). A module of one's
-// own is one file and one registration, linked into the program:
+// The machine file chooses it (`<pipeline><serve command="function" by="press"/>`). A module of
+// one's own is one file and one registration, linked into the program:
 //
 //     class Press final : public process::CommandModule { std::vector<path::Command> serve(…) … };
 //     const process::ModuleRegistration registered("press", [](const machine::Machine&) …);
@@ -37,7 +37,7 @@ using ModuleFactory = std::unique_ptr<CommandModule> (*)(const machine::Machine&
 /// fault. The registry is filled before `main` begins and only read from then on.
 void register_module(std::string_view name, ModuleFactory factory);
 
-/// The names that a machine file may say, in their order.
+/// The names that a machine file may use, in their order.
 std::vector<std::string_view> module_names();
 bool is_module(std::string_view name);
 

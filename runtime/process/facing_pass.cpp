@@ -33,7 +33,7 @@ double run_facing_pass(const machine::Drives& drives, const FacingPass& pass, do
     AxisState command;
     AxisState axis;
     bool is_cutting = true;
-    double held = 0;  // rad/s, on the way back
+    double held = 0;  // rad/s, on the return
     for (std::int64_t i = 0;; ++i) {
         const double time = static_cast<double>(i) * step;
         const double radius = pass.radius - axis.position;

@@ -3,7 +3,7 @@
 //
 // The pass has an interpolator of its own, as the paper's model has: it follows the real speed of
 // the spindle, does not brake ahead of the centre, and reverses when the tool has passed it. A
-// program, with blocks that end where they say, is drive_run.h's.
+// program, with blocks that end where they are programmed, is drive_run.h's.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ struct FacingPass {
     double radius = 0;                 // mm, of the base point
     motion::CommandedSpindle spindle;  // holds a cutting speed, with a limit
     double feed_per_revolution = 0;    // mm
-    double rapid = 0;                  // mm/s, of the way back
+    double rapid = 0;                  // mm/s, of the return
     double acceleration = 0;           // mm/s², of the interpolator
     double ramp_time = 0;              // s, in which its speed comes close to the commanded one
 };

@@ -10,8 +10,8 @@ namespace kadr::process {
 
 namespace {
 
-// Bands with more intervals than this beyond the fewest are put together: the way that is taken has
-// fewer, but a speed that has been reached must not be without a band.
+// Bands with more intervals than this beyond the fewest are put together: the solution that is
+// taken has fewer, but a speed that has been reached must not be without a band.
 constexpr std::int64_t kSpare = 3;
 // Windows that are tried beyond the first that can be hit.
 constexpr std::int64_t kWindows = 2;

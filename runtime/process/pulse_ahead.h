@@ -8,7 +8,7 @@
 // intervals; its end speed is reduced from what the look-ahead allows towards the mean speed of
 // the blocks to come, and by bisection to where the window is hit; its top speed is reduced, again
 // by bisection, until it lasts the ticks of the window exactly (pulses.h). Because every point can
-// be stopped at and waited for, there is always a way; a window that is missed costs one interval.
+// be stopped at and waited for, one is always found; a window that is missed costs one interval.
 //
 // Knows lengths, speeds and accelerations; no geometry and no axes. Streaming as
 // motion/lookahead.h.

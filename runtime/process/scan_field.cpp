@@ -10,16 +10,16 @@ namespace kadr::process {
 
 namespace {
 
-// A way is never cut finer: a two-thousandth of it, or so many vectors that nobody wants them.
+// A path is never cut finer: a two-thousandth of it, or so many vectors that nobody wants them.
 constexpr double kFinest = 1.0 / 65536;
-// Places looked at between the ends of a vector that shall stand for a bent way.
+// Points looked at between the ends of a vector that shall stand for a bent path.
 constexpr std::size_t kProbes = 7;
 constexpr std::size_t kMostProbes = 1024;
-// Of the tolerance, what the places that are looked at may take.
+// Of the tolerance, what the points that are looked at may take.
 constexpr double kOfTolerance = 0.95;
-// A place on a way to a millionth of a cell.
+// A point on a path to a millionth of a cell.
 constexpr int kHalvings = 20;
-// Rounding of frames and of the matrix, mm: no place beyond the field.
+// Rounding of frames and of the matrix, mm: no point beyond the field.
 constexpr double kRounding = 1e-6;
 
 double least_side(const std::vector<double>& values) {
@@ -101,14 +101,14 @@ std::vector<FieldStep> ScanField::vectors(const path::Curve& curve, const path::
         cut(staged, 0, 1, steps);
         return steps;
     }
-    // A bent way may come back to where it began, or be alike on both sides of its middle.
+    // A bent path may come back to where it began, or be alike on both sides of its middle.
     constexpr int kFirst = 8;
     for (int i = 0; i < kFirst; ++i)
         cut(staged, static_cast<double>(i) / kFirst, static_cast<double>(i + 1) / kFirst, steps);
     return steps;
 }
 
-/// How many places show what a vector would leave out: more where it crosses many cells.
+/// How many points show what a vector would leave out: more where it crosses many cells.
 std::size_t ScanField::probes(const StagedCurve& curve, double from, double to) const {
     if (cell_ == 0) return kProbes;
     const double length = (field_of(path::position(curve.curve, to * curve.length), curve.stage) -
@@ -118,7 +118,7 @@ std::size_t ScanField::probes(const StagedCurve& curve, double from, double to) 
     return std::clamp(static_cast<std::size_t>(std::ceil(crossed)), kProbes, kMostProbes);
 }
 
-/// Where a way crosses a line of the table between two places that are no farther apart than a
+/// Where a path crosses a line of the table between two points that are no farther apart than a
 /// cell: by its share, along X and along Y.
 std::vector<double> ScanField::kinks(const StagedCurve& curve, const FieldStep& from,
                                      const FieldStep& to) const {
@@ -148,7 +148,7 @@ bool ScanField::is_straight(const StagedCurve& curve, double from, double to) co
     if (to - from <= kFinest) return true;
     const FieldStep start = at(curve, from);
     const FieldStep end = at(curve, to);
-    // Between the places that are looked at the way bends by little of what it bends in all.
+    // Between the points that are looked at the path bends by little of what it bends in all.
     const double most = kOfTolerance * scanner_.chord_tolerance;
     const auto is_near = [&](const FieldStep& step) {
         return distance_to_chord(step.to, start.to, end.to) <= most;
@@ -160,7 +160,7 @@ bool ScanField::is_straight(const StagedCurve& curve, double from, double to) co
             std::lerp(from, to, static_cast<double>(i) / static_cast<double>(count + 1));
         const FieldStep step = i > count ? end : at(curve, share);
         if (!is_near(step)) return false;
-        // A way has a kink where it comes into another cell.
+        // A path has a kink where it comes into another cell.
         for (const double kink : kinks(curve, before, step))
             if (!is_near(at(curve, kink))) return false;
         before = step;

@@ -1,8 +1,8 @@
-// scan_field.h — from places on the workpiece to places in the field of a scanner.
+// scan_field.h — from points on the workpiece to points in the field of a scanner.
 //
-// place = stage + matrix · field; what the lens distorts is added to the place in the field, from a
-// table, bilinear between its crossings. A way becomes short vectors where it is bent, by itself or
-// by the table, beyond the scanner's chord tolerance.
+// position = stage + matrix · field; what the lens distorts is added to the position in the field,
+// from a table, bilinear between its crossings. A path becomes short vectors where it is bent, by
+// itself or by the table, beyond the scanner's chord tolerance.
 //
 // source: reference motion §4
 #pragma once
@@ -19,29 +19,29 @@ using Vec2 = Eigen::Vector2d;
 
 /// The end of a vector.
 struct FieldStep {
-    Vec2 to = Vec2::Zero();     // what the mirrors are told, mm
+    Vec2 to = Vec2::Zero();     // what the mirrors are given, mm
     Vec2 field = Vec2::Zero();  // before the correction
-    double share = 1;           // of the way's length, from its start to here
+    double share = 1;           // of the path's length, from its start to here
 };
 
 class ScanField {
   public:
     explicit ScanField(const machine::Scanner& scanner);
 
-    /// The place in the field, before the correction.
+    /// The position in the field, before the correction.
     Vec2 field_of(const path::Vec3& point, const path::Vec3& stage) const;
-    /// By how much a place lies outside of the field, mm; 0 inside.
+    /// By how much a point lies outside of the field, mm; 0 inside.
     double outside(const Vec2& field) const;
-    /// What the mirrors are told, for a place within the table.
+    /// What the mirrors are given, for a point within the table.
     Vec2 corrected(const Vec2& field) const;
 
-    /// A way as vectors, its start excluded; one for a straight way that stays straight.
+    /// A path as vectors, its start excluded; one for a straight line that stays straight.
     std::vector<FieldStep> vectors(const path::Curve& curve, const path::Vec3& stage) const;
     /// The end alone, for a jump.
     FieldStep end_of(const path::Curve& curve, const path::Vec3& stage) const;
 
   private:
-    /// A way that is being cut, with the stage below it.
+    /// A path that is being cut, with the stage below it.
     struct StagedCurve {
         const path::Curve& curve;
         const path::Vec3& stage;

@@ -50,7 +50,7 @@ ScanList ScanListBuilder::cut() {
     ScanList list = std::move(list_);
     list_ = {};
     next_pulse_ -= list.duration;
-    speed_ = 0;  // every list tells its own
+    speed_ = 0;  // every list sets its own
     return list;
 }
 

@@ -1,4 +1,4 @@
-// scan_list.h — what a scanner is told in one go, and how long it takes.
+// scan_list.h — what a scanner is given in one go, and how long it takes.
 //
 // Motions come one after the other; each is written down when the next one is known, because the
 // delay behind it depends on what follows: behind a jump the jump delay, between two marks the
@@ -6,7 +6,7 @@
 // `laser_on` behind the start of a chain and goes `laser_off` behind its end. Motions and delays
 // last a whole number of the controller's steps.
 //
-// No commands of programs and no axes (scanner.h); no places on the workpiece (scan_field.h).
+// No commands of programs and no axes (scanner.h); no points on the workpiece (scan_field.h).
 //
 // source: reference motion §4; manuals of the RTC boards, chapter on delays
 #pragma once
@@ -28,7 +28,7 @@ struct ScanCommand {
         MarkSpeed,  // `value` mm/s on the workpiece, for the marks from here on
         Jump,       // to `to` in `value` s
         Mark,       // likewise, the beam on
-        Micro,      // a mark without a delay behind it: the way goes on
+        Micro,      // a mark without a delay behind it: the path goes on
         Wait,       // `value` s, the beam off
         Expose,     // `value` s, the beam on
     };
@@ -44,7 +44,7 @@ struct ScanList {
     double duration = 0;                  // s
 };
 
-/// A motion of the beam; its segment has the way on the workpiece, its kind, feed and line.
+/// A motion of the beam; its segment has the path on the workpiece, its kind, feed and line.
 struct ScanMotion {
     motion::Segment segment;
     std::vector<FieldStep> vectors;       // at least one
@@ -60,7 +60,7 @@ class ScanListBuilder {
 
     /// `speed` of a mark, mm/s on the workpiece.
     void add(ScanMotion motion, double speed);
-    /// Waits in place, with the beam or without. The segment has place and line.
+    /// Waits in place, with the beam or without. The segment has position and line.
     void stand(const motion::Segment& segment, double time, bool is_exposing);
 
     /// Commands that the list has at least.
@@ -88,7 +88,7 @@ class ScanListBuilder {
     const machine::Scanner& scanner_;
     ScanList list_;
     std::optional<Waiting> waiting_;
-    double speed_ = 0;         // told last
+    double speed_ = 0;         // given last
     bool is_beam_on_ = false;  // or will be, at `next_pulse_`
     double next_pulse_ = 0;    // s from the list's start
 };

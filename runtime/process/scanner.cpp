@@ -22,19 +22,19 @@ using path::Vec3;
 
 constexpr std::size_t kSegmentBatch = 32;
 
-// The rounding of frames; places nearer than a millionth of a millimetre are one.
+// The rounding of frames; points nearer than a millionth of a millimetre are one.
 constexpr double kSamePlace = 1e-6;
-// Where a way has its first and its last direction, in parts of it.
+// Where a path has its first and its last direction, in parts of it.
 constexpr double kEnd = 1e-6;
 
-/// Direction of a way in the plane at a place of its length; zero if it has none there.
+/// Direction of a path in the plane at a point of its length; zero if it has none there.
 Vec2 direction_at(const path::Curve& curve, double place) {
     const Vec2 tangent = path::evaluate(curve, place).tangent.head<2>();
     const double norm = tangent.norm();
     return norm > 0 ? Vec2(tangent / norm) : Vec2(Vec2::Zero());
 }
 
-/// "Z", or the first other axis that leaves its place.
+/// "Z", or the first other axis that leaves its position.
 std::string moved_axis(const motion::AxesPosition::MotionEnd& target, const Segment& standing,
                        const Vec3& tip, const path::Box& box) {
     if (box.upper.z() - tip.z() > kSamePlace || tip.z() - box.lower.z() > kSamePlace) return "Z";

@@ -1,13 +1,13 @@
 // scanner.h — the motion module of a galvanometer scanner, beside the axes.
 //
 // A program gives motions to the scanner and back to the axes by M functions (Op::ScannerOn,
-// Op::ScannerOff). In between the stage stands, coordinates go on to be places on the workpiece,
-// and the scanner leads the beam there: rapids are jumps, motions at feed are marks at F. A dwell
-// waits; while the spindle, that is the beam, is switched on, it exposes the place. Only where both
-// are in the same place, in the middle of the field, can motions go back to the axes.
+// Op::ScannerOff). In between the stage stands, coordinates go on to be points on the workpiece,
+// and the scanner guides the beam there: rapids are jumps, motions at feed are marks at F. A dwell
+// waits; while the spindle, that is the beam, is switched on, it exposes the point. Only where both
+// are at the same point, in the middle of the field, can motions go back to the axes.
 //
 // Two streams, one in front of the planner and one behind it. The first takes the scanner's
-// commands out, makes lists of them (scan_list.h), and puts a command to stand in the place of
+// commands out, makes lists of them (scan_list.h), and puts a command to stand in place of
 // each: so axes and scanner alternate, each in position before the other begins, and the planner
 // needs to know nothing of scanners. The second puts the pieces of the lists where the axes stand.
 //
@@ -91,7 +91,7 @@ class ScannerCommands final : public Stream<path::Command> {
     std::vector<std::uint64_t> origins_;  // taken_ at each command of it
     std::deque<path::Command> ready_;
 
-    std::vector<path::Op> serves_;  // whatever the program says: the machine file gives them to it
+    std::vector<path::Op> serves_;  // whatever is programmed: the machine file gives them to it
     bool is_on_ = false;
     bool is_lent_ = false;  // on for such a command alone
     bool has_ended_ = false;

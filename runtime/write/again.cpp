@@ -1,4 +1,4 @@
-// Modal codes: what the text has, and what is said again because nobody knows whether it has it.
+// Modal codes: what the text has, and what is written again because nobody knows whether it has it.
 #include <algorithm>
 
 #include "write/block_writer.h"
@@ -24,7 +24,7 @@ void BlockWriter::restore_modal(const Block& block, const Choice& choice, Items&
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const bool is_done = choice.is_done(i);  // before a line that changed it again
             if (!is_done && info(block.functions[i].function).group == group)
-                return;  // the block says it itself
+                return;  // the block programs it itself
         }
         add_code(block, meant, items);
     };
@@ -32,7 +32,7 @@ void BlockWriter::restore_modal(const Block& block, const Choice& choice, Items&
     const bool is_end = block.find(Fact::EndsProgram) != nullptr;
     const bool acts = is_end || (block.given & kTargetSlots) != 0 ||
                       needs_distance(block, choice, modal_.meant_of(Group::Distance));
-    // Words that are said as distances whatever is meant leave the text as it is.
+    // Words that are written as distances whatever is meant leave the text as it is.
     const bool stays =
         text_.needs_incremental(block) && !needs_distance(block, choice, Function::Absolute);
     if (acts && !stays && !tables_.has_incremental_letters) restore(Group::Distance);

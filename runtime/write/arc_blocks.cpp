@@ -25,10 +25,11 @@ void keep_functions_of_part(const Block& block, bool is_first, bool is_last, Blo
     }
 }
 
-/// Whether the block says how the tool stands: that cannot be shared out among parts.
+/// Whether the block orients the tool: that cannot be shared out among parts.
 bool has_direction(const Block& block) { return block.find(Fact::ToolWord) != nullptr; }
 
-/// Whether the points of a helix are known so far that its turns can be shared out; says so if not.
+/// Whether the points of a helix are known so far that its turns can be shared out; reports it if
+/// not.
 [[nodiscard]] Done require_known_turns(const TextView& text, Messages& messages,
                                        const Block& block) {
     const std::array<std::size_t, 3> axes = text.plane_axes();
@@ -179,7 +180,7 @@ std::optional<HelixTurns> turns_of(const TextView& text, Messages& messages, con
     const double asked = block.at(Slot::Turns);
     HelixTurns helix;
     helix.block = block;
-    // No further turns are what every arc has; what cannot be turned has its message.
+    // No further turns are what every arc has; what cannot be travelled has its message.
     const bool is_sane = asked > 0 && asked <= kMostTurns && is_arc(motion);
     if (asked > 0 && motion == Function::None)
         messages.cannot_express(block, "turns of an unknown motion");

@@ -1,7 +1,7 @@
-// arc_blocks.h — arcs that need other blocks than their own: several turns on a control without a
-// word for them, and arcs that their rounded words would make others.
+// arc_blocks.h — arcs that need other blocks than their own: several revolutions on a control
+// without a word for them, and arcs that their rounded words would make others.
 //
-// A plan says once what is shared out; each of its blocks follows from it and from where the text
+// A plan tells once what is shared out; each of its blocks follows from it and from where the text
 // stands when its turn comes.
 #pragma once
 

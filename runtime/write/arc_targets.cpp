@@ -131,7 +131,7 @@ void place_center(const TextView& text, Messages& messages, const Block& block,
         return found;
     };
     PlanePoint center = find_center(arc);
-    // On a lathe X is a diameter, but the centre is not, and where no word says so the circle on
+    // On a lathe X is a diameter, but the centre is not, and where no word sets it the circle on
     // which start and end lie does.
     if (axes[1] == kX && !text.knows_diameter()) {
         const ArcPoints radii = halved(arc, 1);
@@ -190,14 +190,14 @@ void place_radius(const TextView& text, Messages& messages, const Block& block,
     const int places = text.decimals(has_word ? Slot::Radius : center_slot(axes[0]));
     const bool is_cw = text.effective_motion(block) == Function::ArcCw;
     RadiusArc arc = radius_arc(arc_points(text, start), radius, places, is_cw, scale);
-    // On a lathe X is a diameter. While nothing says whether it is, the centre cannot stand for a
+    // On a lathe X is a diameter. While nothing tells whether it is, the centre cannot stand for a
     // radius that rounding moves a little.
     if (axes[1] == kX && !text.knows_diameter()) arc.fits = arc.fits_fairly;
     bool is_arc_of_diameter = false;
     if (axes[1] == kX && !arc.fits && !text.knows_diameter()) {
         const RadiusArc other = radius_arc(halved(arc.points, 1), radius, places, is_cw, scale);
         if (arc.exact && other.exact && is_chord_known(text, block, start)) {
-            // Almost half a turn by the one reading: only its centre says it, and that of the other
+            // Almost half a turn by the one reading: only its centre fits it, and that of the other
             // is elsewhere.
             messages.cannot_express(
                 block,
@@ -205,7 +205,7 @@ void place_radius(const TextView& text, Messages& messages, const Block& block,
                 "whether X is a diameter (`DIAMON`, `DIAMOF`),");
             return;
         }
-        // An arc that the radius does not reach is none where X is no diameter, and nobody says
+        // An arc that the radius does not reach is none where X is no diameter, and nothing tells
         // that it is one.
         is_arc_of_diameter = !arc.exact && !arc.reached && (other.exact || other.reached);
         if (!is_arc_of_diameter && (other.fits_fairly || (!arc.exact && other.exact))) arc = other;

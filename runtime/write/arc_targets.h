@@ -22,7 +22,7 @@ void place_arc_feed(const TextView& text, Messages& messages, const Block& block
                     const WrittenPosition& start, Targets& targets);
 
 /// The tool of a helix shall be as fast as the program means it, where program and control count F
-/// along different lengths: the way of the tool, or the arc that the helix is over.
+/// along different lengths: the path of the tool, or the arc that the helix is over.
 void place_helix_feed(const TextView& text, Messages& messages, const Block& block,
                       const WrittenPosition& start, Targets& targets);
 

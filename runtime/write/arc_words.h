@@ -19,7 +19,7 @@ struct ArcPoints {
     PlanePoint text_end;
 };
 
-/// What the words of a centre can say.
+/// What the words of a centre can give.
 struct CenterGrid {
     int decimals = 3;                  // of the words
     double end_increment = 1e-3;       // of the coordinates of start and end
@@ -54,7 +54,7 @@ struct TracedArc {
 
 /// What a control makes of rounded ends and a centre.
 ///
-/// center         as the words say it, a point
+/// center         as the words give it, a point
 /// shifts_center  whether it moves the centre onto the bisector, at the radius of the start
 /// (S 4.2);
 ///                else the radius changes along the arc (F 3.5)

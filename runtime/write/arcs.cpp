@@ -154,7 +154,7 @@ std::optional<PlannedArc> planned_arc(const TextView& text, const Block& block) 
     const bool may_be_diameter = text.plane_axes()[1] == kX && !text.knows_diameter();
     std::optional<PlannedArc> arc = planned_arc(text, block, text.on_part(kX));
     if (!arc || !may_be_diameter || block.has(Slot::Radius)) return arc;
-    // Where no word says what X is, the circle on which start and end lie does.
+    // Where no word tells what X is, the circle on which start and end lie does.
     std::optional<PlannedArc> other = planned_arc(text, block, 0.5);
     const bool is_other =
         other && is_on_circle(text, other->points, other->center) &&
@@ -182,7 +182,7 @@ double text_error(const TextView& text, const Block& block, const PlannedArc& ar
                               text.end_increment());
         }
     }
-    if (!has_centers) return 0;  // what cannot be said has its message
+    if (!has_centers) return 0;  // what cannot be written has its message
     const CenterGrid grid = center_grid(text, block);
     const PlanePoint words = center_words(arc.points, arc.center, grid);
     PlanePoint center = words;

@@ -12,8 +12,8 @@
 
 namespace kadr::write {
 
-/// Whether the way from the start of an arc to its end, in the plane, is known: from positions, or
-/// because the block says it. An axis without a word does not move.
+/// Whether the distance from the start of an arc to its end, in the plane, is known: from
+/// positions, or because the block gives it. An axis without a word does not move.
 bool is_chord_known(const TextView& text, const Block& block, const WrittenPosition& start);
 
 /// Whether the end lies on the circle of the start as well as the control wants it.
@@ -26,13 +26,13 @@ bool is_coordinate_center(const TextView& text, Slot slot);
 /// axis words have brought the position.
 ArcPoints arc_points(const TextView& text, const WrittenPosition& start);
 
-/// Whether the radius and the end of an arc lose nothing by the places that the text has.
+/// Whether the radius and the end of an arc lose nothing by the decimals that the text has.
 bool is_exact_arc(const TextView& text, const Block& block, double radius);
 
-/// What the words of the block's centre can say; the control has one of the two.
+/// What the words of the block's centre can give; the control has one of the two.
 CenterGrid center_grid(const TextView& text, const Block& block);
 
-/// The centre as the block means it, in the plane; the start if the block does not say.
+/// The centre as the block means it, in the plane; the start if the block does not give it.
 PlanePoint meant_center(const TextView& text, const Block& block, const PlanePoint& start,
                         const PlanePoint& end);
 
@@ -61,7 +61,7 @@ double text_error(const TextView& text, const Block& block, const PlannedArc& ar
 
 /// Whether rounding takes an arc away: its end falls on its start or beside it, which a control
 /// would take for a full circle, or it is smaller than two increments, so that its rounded words
-/// say any angle. An arc of more than half a turn is one that a full circle stands for well.
+/// mean any angle. An arc of more than half a turn is one that a full circle stands for well.
 bool vanishes(const TextView& text, const Block& block);
 
 }  // namespace kadr::write

@@ -73,7 +73,7 @@ bool BlockWriter::has_feed_word(const Block& block, const Choice& choice,
     return std::ranges::any_of(form.words, is_feed) || std::ranges::any_of(form.lead, is_feed);
 }
 
-/// Words that a tool change left for the block that moves the tool axis, or says a function.
+/// Words that a tool change left for the block that moves the tool axis, or programs a function.
 void BlockWriter::add_deferred(const Block& block, const Choice& choice, Items& items) {
     if (state_.pending().empty() && !modal_.edge.is_end_due) return;
     const bool is_cycle = block.function_count != 0 && block.find(Function::Cycle) != nullptr;
@@ -193,7 +193,7 @@ void BlockWriter::note_line(const std::vector<FormWord>& words) {
 
 void BlockWriter::write_start_line(std::string_view line, std::string& out) {
     lines_.write(line, true, out);
-    const Form* shift = nullptr;  // that the line says
+    const Form* shift = nullptr;  // that the line programs
     // The codes of the safety line are what the text begins with.
     for (std::size_t at = 0; at < line.size();) {
         const std::size_t begin = line.find_first_not_of(' ', at);

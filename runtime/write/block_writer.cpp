@@ -64,7 +64,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
         write_block(block, out);
     } else {
         // The operator may leave it out: behind it, only what is the same with and without it is
-        // known, so that everything else is said again.
+        // known, so that everything else is written again.
         const std::size_t waiting = state_.pending().size();
         const WriterModal before = modal_;
         write_block(block, out);
@@ -74,7 +74,7 @@ void BlockWriter::write_long(const Block& block, std::string& out) {
         }
         state_.join(before);
     }
-    if (lines_.brings_number()) {  // all that the block says holds already
+    if (lines_.brings_number()) {  // all that the block programs holds already
         lines_.open(block.skip_level, true, out);
         lines_.end_block(out);
         lines_.close(out);
@@ -95,7 +95,7 @@ void BlockWriter::check_front(const Block& block) {
     }
 }
 
-/// Centre, radius and turns are for arcs, and an arc that moves has a centre or a radius.
+/// Centre, radius and full turns are for arcs, and an arc that moves has a centre or a radius.
 void BlockWriter::check_arc_words(const Block& block) {
     constexpr SlotMask kArcMoves = kArcSlots | kTargetSlots;
     if ((block.given & kArcMoves) == 0) return;
@@ -146,7 +146,7 @@ void BlockWriter::check_knot(const Block& block, Function motion) {
         messages_.cannot_express(block, "a control point without its knot");
 }
 
-/// Arcs that need other blocks; the plane and the dimensions that the block says hold for them.
+/// Arcs that need other blocks; the plane and the dimensions that the block programs hold for them.
 BlockWriter::Written BlockWriter::write_other_arc(const Block& block, Whole whole,
                                                   std::string& out) {
     if (!is_arc(text_.effective_motion(block))) return write_turns(block, whole, out);
@@ -216,7 +216,7 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     if (block.motion != Function::None && block.motion != motion)
         messages_.cannot_express(block, "a probing move that is no line at feed");
     const Targets targets = place_words(block, motion);
-    // An incremental word that the control can only say under incremental dimensions.
+    // An incremental word that the control can only write under incremental dimensions.
     if (targets.written != 0 && targets.needs_incremental &&
         modal_.text_of(Group::Distance) != Function::Incremental) {
         add_code(block, Function::Incremental, items);
@@ -289,7 +289,7 @@ void BlockWriter::check_message(const Block& block) {
 
 // ---------------------------------------------------------------- threads
 
-/// The axis along which a straight move goes the longer way; nothing if the block does not tell.
+/// The axis of the longer travel of a straight move; nothing if the block does not tell.
 std::optional<std::size_t> BlockWriter::longer_travel(const Block& block) const {
     std::optional<std::size_t> longest;
     double most = -1;
@@ -308,8 +308,8 @@ std::optional<std::size_t> BlockWriter::longer_travel(const Block& block) const 
     return count == 1 || is_certain ? longest : std::nullopt;
 }
 
-/// The pitch of a thread stands where the control takes it: in F, or in the word of the axis that
-/// goes the longer way.
+/// The pitch of a thread stands where the control takes it: in F, or in the word of the axis of the
+/// longer travel.
 BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& out) {
     if (text_.effective_motion(block) != Function::Thread || (block.given & kTargetSlots) == 0 ||
         block.find(Function::Cycle) != nullptr)
@@ -351,8 +351,8 @@ BlockWriter::Written BlockWriter::write_thread(const Block& block, std::string& 
 // ---------------------------------------------------------------- comments, raw text
 
 void BlockWriter::write_raw(const Block& block, std::string& out) {
-    // The author's text stands under the dimensions that he has said, not under those that a block
-    // before it needed.
+    // The author's text stands under the dimensions that he has programmed, not under those that a
+    // block before it needed.
     if (modal_.feed_is_other && modal_.has_meant_feed) {
         Block feed;
         feed.source = block.source;
@@ -452,7 +452,8 @@ void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std:
     }
 }
 
-/// Whether the text has this shift already, on a control where it stays until another is said.
+/// Whether the text has this shift already, on a control where it stays until another is
+/// programmed.
 bool BlockWriter::is_shift_standing(const Form& form, const Block& block,
                                     const Invocation& invocation) const {
     if (!form.remembers || options_.verbose_modal) return false;

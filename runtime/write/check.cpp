@@ -96,7 +96,7 @@ Reading read(const Dialect& dialect, std::string_view text) {
     return reading;
 }
 
-/// Whether two descriptions say the same. A value that went through the units of the language and
+/// Whether two descriptions mean the same. A value that went through the units of the language and
 /// one that was read need not be the same to the last bit: 2000 and 2000.0000000000002.
 bool is_same_meaning(std::string_view a, std::string_view b) {
     constexpr double kRounding = 1e-12;  // of the value; sixteen digits, and a few operations
@@ -160,7 +160,7 @@ std::string without_returns(std::string_view text) {
     return out;
 }
 
-/// Why the text has not the form that its author may have expected; each is said once.
+/// Why the text has not the form that its author may have expected; each is reported once.
 void note_refusals(const std::vector<Refusal>& refusals, DiagnosticBuilder& message) {
     constexpr std::size_t kMost = 4;
     std::vector<std::string> text;

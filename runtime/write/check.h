@@ -1,7 +1,7 @@
 // check.h — whether what a dialect file shows is true: its examples, and the lines around a
 // program.
 //
-// What a file says is checked when it is loaded; here it is tried out, by writing and reading.
+// What a file holds is checked when it is loaded; here it is tried out, by writing and reading.
 #pragma once
 
 #include <span>
@@ -21,7 +21,7 @@ std::string first_difference(std::string_view found, std::string_view text);
 void check_frame(const Dialect& dialect, DiagnosticSink& sink);
 
 /// Whether the blocks that an example's source gives are written as its text, and whether the text
-/// reads as what they mean or as what the example says instead. Without blocks (the example has no
+/// reads as what they mean or as what the example gives instead. Without blocks (the example has no
 /// source) only the reading is tried. Reported at the attribute that is wrong.
 ///
 /// refusals  forms that were passed over when the blocks were made of the source

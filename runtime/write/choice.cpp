@@ -58,7 +58,7 @@ constexpr bool is_quiet_group(Group group) {
 
 Choice FormChooser::choose(const Block& block) {
     Choice choice;
-    // Forms that say several functions at once come first, so that nothing is said twice.
+    // Forms that write several functions at once come first, so that nothing is written twice.
     for (const bool with_others : {true, false}) {
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const Invocation& invocation = block.functions[i];
@@ -94,7 +94,7 @@ Choice FormChooser::choose(const Block& block) {
 
 bool FormChooser::is_suppressed(Function function) const {
     const Group group = info(function).group;
-    // Where the letters say it, no code does.
+    // Where the letters tell it, no code does.
     if (group == Group::Distance && tables_.has_incremental_letters) return true;
     return is_quiet_group(group) && modal_.text[index_of(group)] == function &&
            (!options_.verbose_modal || !text_.has_code(function));
@@ -119,7 +119,7 @@ void FormChooser::leave_to_machine(const Block& block, const Invocation& invocat
     state_.assume(invocation.function);
 }
 
-/// Why the form cannot say what was given, or lacks what it needs.
+/// Why the form cannot write what was given, or lacks what it needs.
 FormChooser::Misfit FormChooser::misfit(const Form& form, const Block& block,
                                         const Invocation& invocation) const {
     Misfit misfit;
@@ -181,13 +181,13 @@ FormChooser::Misfit FormChooser::misfit(const Form& form, const Block& block,
     misfit.lacking = misfit.parameters & ~invocation.given;
     for (const Function needed : form.during) {
         const Group group = info(needed).group;
-        // What the text does not agree upon with the program is said again in this block.
+        // What the text does not agree upon with the program is written again in this block.
         const bool is_restored = group == Group::Distance && (block.given & kTargetSlots) != 0 &&
                                  modal_.meant[index_of(group)] == needed;
         const bool is_programmed = group == Group::Motion &&
                                    text_.effective_motion(block) == needed &&
                                    (block.motion == needed || (block.given & kTargetSlots) != 0);
-        // In its own line the block says it for the form, or the contrary.
+        // In its own line the block programs it for the form, or the contrary.
         const bool is_alone = form.owns_block || form.owns_line;
         const Function own = is_alone ? Function::None : programmed_in(block, group);
         const bool is_active = own != Function::None ? own == needed
@@ -307,7 +307,7 @@ FormId FormChooser::choose_form(const Block& block, const Invocation& invocation
             if (blocking == Function::FeedInverseTime)
                 builder.fix("end inverse time first: `G94` or `G95` with an F");
         }
-        // Go on as if it were said: F and S behind it are no mistakes of their own.
+        // Go on as if it were programmed: F and S behind it are no mistakes of their own.
         const Group group = info(invocation.function).group;
         if (group == Group::FeedMode || group == Group::SpeedMode)
             state_.assume(invocation.function);
@@ -332,7 +332,7 @@ FormId FormChooser::choose_form(const Block& block, const Invocation& invocation
     return kNoForm;
 }
 
-/// Tells whoever looks on that the form was passed over.
+/// Informs whoever looks on that the form was passed over.
 void FormChooser::note_refusal(const Form& form, const Block& block, const Invocation& invocation,
                                const Misfit& misfit) const {
     std::array<double, kMaxArguments> values{};
@@ -362,7 +362,7 @@ std::string FormChooser::misfit_words(std::span<const Parameter> parameters, con
     return words;
 }
 
-/// Whether the block itself asks for an end of the function, which the form says with its own.
+/// Whether the block itself asks for an end of the function, which the form writes with its own.
 bool FormChooser::ends_by_itself(const Form& form, const Block& block, Function around) {
     const Group group = info(around).group;
     const Function own = programmed_in(block, group);
@@ -376,8 +376,8 @@ Function FormChooser::acting_around(const Form& form, const Block& block) const 
     for (const Function around : form.outside) {
         if (ends_by_itself(form, block, around)) continue;
         const Activity activity = text_.activity_of(around);
-        // Behind raw text nobody knows, and the control says so if it acts; but what a frame means
-        // depends on those around it.
+        // Behind raw text nobody knows, and the control reports it if it acts; but what a frame
+        // means depends on those around it.
         if (activity == Activity::Yes) return around;
         if (activity == Activity::Unknown && has_fact(form.function, Fact::SetsFrame))
             return around;

@@ -1,5 +1,5 @@
-// choice.h — which form says each function of a block: what a form needs, what must not act beside
-// it, and why none fits.
+// choice.h — which form writes each function of a block: what a form needs, what must not act
+// beside it, and why none fits.
 #pragma once
 
 #include <array>
@@ -49,14 +49,14 @@ class FormChooser {
           messages_(messages),
           options_(options) {}
 
-    /// Reports functions that no form can say.
+    /// Reports functions that no form can write.
     Choice choose(const Block& block);
     /// Whether the function acts in the text already, and is not written again.
     bool is_suppressed(Function function) const;
     bool holds(const Form& form, const Block& block, Function asked, bool allow_unknown) const;
 
   private:
-    /// What a form cannot say, or lacks.
+    /// What a form cannot write, or lacks.
     struct Misfit {
         std::uint32_t parameters = 0;     // a bit each
         std::uint32_t lacking = 0;        // those of them that were not given

@@ -16,7 +16,7 @@ double BlockWriter::cycle_speed(const Block& block, const Invocation& invocation
     return 0;
 }
 
-/// Whether a cycle's block tells the control a spindle speed, in a word S or as an argument.
+/// Whether a cycle's block gives the control a spindle speed, in a word S or as an argument.
 bool BlockWriter::has_speed(const Block& block, const Invocation& invocation) const {
     const std::vector<Parameter>& parameters = tables_.cycles[block.cycle].parameters;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -28,7 +28,7 @@ bool BlockWriter::has_speed(const Block& block, const Invocation& invocation) co
     return false;
 }
 
-/// What the spindle has to be told behind a cycle that leaves it otherwise than it was asked to.
+/// What the spindle has to be given behind a cycle that leaves it otherwise than it was asked to.
 Function BlockWriter::spindle_behind(const Form& form, const Block& block,
                                      const Invocation& invocation) const {
     if (form.spindle_parameter < 0) return Function::None;

@@ -26,7 +26,8 @@ void BlockWriter::put_waiting_edge(const Block& block, std::string& out) {
     state_.edge_is_given(position);
 }
 
-/// The length comes with the first motion along it: a way there would be travelled less the length.
+/// The length comes with the first motion along it: a motion there would be travelled less the
+/// length.
 void BlockWriter::check_length_due(const Block& block) {
     const std::size_t along = text_.plane_axes()[2];
     const bool is_other = block.find(Fact::AtMachinePosition) != nullptr;
@@ -58,7 +59,7 @@ void BlockWriter::add_edge(const Block& block, Items& items) {
     }
 }
 
-/// `G43 H1`, `G49`, `H2` of the block; null: it says none.
+/// `G43 H1`, `G49`, `H2` of the block; null: it has none.
 static const Invocation* length_in(const Rules& rules, const Block& block) {
     const Invocation* length = nullptr;
     for (const Effect& effect : effects_of(rules, block, nc::Changer::Magazine)) {

@@ -1,8 +1,8 @@
-// fast_moves.h — the fast way of a straight move in absolute coordinates, perhaps with a feed,
+// fast_moves.h — the fast path of a straight move in absolute coordinates, perhaps with a feed,
 // modal words repeated or not.
 //
 // Nearly all blocks of a program are such, and formatting their numbers is what expansion costs.
-// Whatever is unusual about a block, or about one of its numbers, sends it the long way before
+// Whatever is unusual about a block, or about one of its numbers, sends it the long path before
 // anything is written.
 #pragma once
 
@@ -24,7 +24,7 @@ struct FastAxis {
     std::uint64_t most = 0;         // greatest number in increments
 };
 
-/// What the fast way can write on a control.
+/// What the fast path can write on a control.
 struct FastPlan {
     std::vector<FastAxis> axes;  // in the order of their words
     SlotMask slots = 0;

@@ -12,7 +12,7 @@ void TextState::follow(const Block& block) {
 }
 
 /// Whether the tool length acts behind a reference return differs between series of a control: the
-/// one that the program has is said again with its axis.
+/// one that the program has is written again with its axis.
 void TextState::defer_length(const Block& block, const Invocation& invocation) {
     constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
     for (const Deferred& deferred : tables_.deferred) {
@@ -116,7 +116,7 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
         case EffectKind::RunsCycle: forget_motion(); break;
         case EffectKind::EndsProgram: has_ended_ = true; break;
         case EffectKind::Own:
-            // Whose speed it is, the master at that time says.
+            // Whose speed it is, the master at that time decides.
             if (effect.function == Function::SpindleSpeed) modal_.speed.is_known = false;
             break;
     }
@@ -198,7 +198,7 @@ void TextState::forget_words(const Block& block, const Effect& effect) {
     if (effect.function == Function::Probe) forget_motion();  // its code is a motion of its own
     modal_.position.known &= ~block.given;
     if (effect.function != Function::MachineCoordinates) return;
-    // In machine coordinates one axis moves: along a turned system several coordinates change.
+    // In machine coordinates one axis moves: along a rotated system several coordinates change.
     constexpr SlotMask kLinear = bit(Slot::X) | bit(Slot::Y) | bit(Slot::Z);
     const bool is_plane_tilted =
         modal_.frame.tilted != Activity::No && (block.given & kLinear) != 0;
@@ -220,8 +220,8 @@ void TextState::forget_unsaid(const Block& block) {
 }
 
 /// Another length along the tool: its axis is elsewhere in the program's coordinates, if the block
-/// does not say where it goes. The others stand where they stood, but are said again: some tools
-/// have lengths along them, too.
+/// does not give where it goes. The others stand where they stood, but are written again: some
+/// tools have lengths along them, too.
 void TextState::change_length(const Block& block) {
     if (modal_.meant_of(Group::Plane) != Function::PlaneXy) return modal_.position.forget();
     constexpr auto kTool = static_cast<std::size_t>(Slot::Z);
@@ -231,7 +231,7 @@ void TextState::change_length(const Block& block) {
 }
 
 /// Where a tool change leaves the tool: elsewhere along its axis, and in the plane where it stood,
-/// if the builder of the changer does not say otherwise. A turret's tools have lengths in the
+/// if the builder of the changer does not choose otherwise. A turret's tools have lengths in the
 /// plane.
 void TextState::leave_changer() {
     WrittenPosition& position = modal_.position;
@@ -242,7 +242,7 @@ void TextState::leave_changer() {
 }
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
-/// and an operator who starts there wants to read it: the next motion says it again.
+/// and an operator who starts there wants to read it: the next motion writes it again.
 void TextState::forget_motion() { modal_.text[index_of(Group::Motion)] = Function::None; }
 
 /// A rotation or mirroring acts on the axis; its coordinate is another one now.

@@ -7,7 +7,7 @@
 
 namespace kadr::write {
 
-/// Reports, once for each frame, where its rounded angle takes the tool beside its place by more
+/// Reports, once for each frame, where its rounded angle takes the tool beside its position by more
 /// than the text's own rounding does. A rotation turns its plane, a tilted plane all of space.
 void check_turn(const TextView& text, Messages& messages, const Block& block);
 

@@ -10,7 +10,7 @@
 namespace kadr::write {
 
 void IdleLines::count(const Block& block, std::uint32_t written) {
-    constexpr int kContour = 2;  // moves: the way to the contour, and its first element
+    constexpr int kContour = 2;  // moves: the path to the contour, and its first element
     if (!text_.is_compensated()) return void(now_ = {});
     if (!std::exchange(now_.is_begun, true)) now_.level = block.skip_level;
     const auto axes = text_.plane_axes();

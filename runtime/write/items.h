@@ -32,12 +32,12 @@ struct Item {
     }
 };
 /// The pieces of a line in their order; among equals the first comes first. Not initialised,
-/// because every block that goes the long way has one.
+/// because every block that goes the long path has one.
 struct Items {
     static constexpr std::size_t kMost = 96;
     std::array<Item, kMost> list;
     std::size_t count = 0;
-    bool is_full = false;  // a piece found no place
+    bool is_full = false;  // a piece found no room
 
     void add(const Item& item) {
         is_full |= count == kMost;

@@ -51,13 +51,13 @@ SourceRange Messages::word_location(const Block& block, std::string_view address
     return statement;
 }
 
-/// The writing failed; whether the statement has not said this yet: a loop reports once.
+/// The writing failed; whether the statement has not reported this yet: a loop reports once.
 bool Messages::fails_first_time(const Block& block, std::string_view what) {
     failed_ = true;
     return first_time(block, what);
 }
 
-/// Whether the statement has not been told this yet.
+/// Whether the statement has not had this reported yet.
 bool Messages::first_time(const Block& block, std::string_view what) {
     const std::uint64_t key =
         std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);

@@ -36,13 +36,13 @@ class Messages {
         return sink_.report(row, word_location(block, address));
     }
 
-    /// Whether the statement has not been told this yet: a loop reports once.
+    /// Whether the statement has not had this reported yet: a loop reports once.
     bool first_time(const Block& block, std::string_view what);
     /// … and the writing failed.
     bool fails_first_time(const Block& block, std::string_view what);
-    /// Whether the frame that the statement says has not been reported yet.
+    /// Whether the frame that the statement programs has not been reported yet.
     bool first_time_of_frame(SourceId statement);
-    /// The writing failed; what is said of it every time is said by the caller.
+    /// The writing failed; what is reported of it every time is reported by the caller.
     void fail() { failed_ = true; }
 
     void cannot_express(const Block& block, const std::string& what);

@@ -55,7 +55,7 @@ void WriterModal::join(const WriterModal& other) {
     feed_is_other |= other.feed_is_other;
     keep(tool, other.tool);
     // Of edges only this: they and units stand in no block that may be left out, and an edge that
-    // such a block puts aside is said again either way.
+    // such a block puts aside is written again either way.
     keep(edge.number, other.edge.number);
     frame.join(other.frame);
     position.join(other.position);

@@ -1,4 +1,4 @@
-// modal.h — what a text has said so far, and what its program means: what the writer remembers
+// modal.h — what a text has written so far, and what its program means: what the writer remembers
 // between blocks.
 //
 // Values alone; who changes them is text_state.h, and what follows from them text_view.h.
@@ -56,10 +56,10 @@ struct NumberInForce {
 using GroupMask = std::uint32_t;
 constexpr GroupMask bit(Group group) { return GroupMask{1} << index_of(group); }
 
-/// Groups that are said again where nobody knows whether the operator has left out the block that
-/// says one of them. The spindle and the coolant are his choice; the motion, the dimensions and the
-/// feed mode are said wherever the text does not have them; the others cannot stand in such a
-/// block.
+/// Groups that are written again where nobody knows whether the operator has left out the block
+/// that programs one of them. The spindle and the coolant are his choice; the motion, the
+/// dimensions and the feed mode are written wherever the text does not have them; the others cannot
+/// stand in such a block.
 inline constexpr GroupMask kRestated =
     bit(Group::Plane) | bit(Group::RadiusComp) | bit(Group::PathMode) | bit(Group::CompStart) |
     bit(Group::CompCorner) | bit(Group::CompCheck) | bit(Group::Compressor) |
@@ -73,7 +73,7 @@ inline constexpr double kMostTurns = 999;
 struct TurnMiss {
     double miss = 0;  // rad
     std::array<double, 3> center{};
-    SourceId source;  // the statement that says it
+    SourceId source;  // the statement that programs it
 };
 
 /// The programmable frame as the text has it.
@@ -118,9 +118,9 @@ struct Pending {
 };
 
 struct WriterModal {
-    ModalFunctions meant{};  // as the blocks say; None: not known
+    ModalFunctions meant{};  // as the blocks have them; None: not known
     ModalFunctions text{};   // as the control has it
-    GroupMask doubtful = 0;  // of kRestated, where a block that may be left out says otherwise
+    GroupMask doubtful = 0;  // of kRestated, where a block that may be left out programs otherwise
     TextUnits units;
     NumberInForce feed;  // in the text's units
     NumberInForce speed;

@@ -1,4 +1,4 @@
-// names.h — the names of blocks and dialects that this room says on every page.
+// names.h — the names of blocks and dialects that this room uses on every page.
 #pragma once
 
 #include "nc/block.h"

@@ -1,4 +1,4 @@
-// spelling.h — how a control says something: blocks by themselves.
+// spelling.h — how a control writes something: blocks by themselves.
 //
 // For messages, examples and whoever has to know what stands in a text before it is written.
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace kadr::write {
 
-/// The text of blocks, or the message that says why the control cannot say them.
+/// The text of blocks, or the message that tells why the control cannot write them.
 struct Spelling {
     std::string text;  // lines joined by line ends, none behind the last one; no block numbers
     std::string fault;

@@ -14,7 +14,7 @@ void place_machine_target(const TextView& text, Messages& messages, const Block&
     const SlotMask mask = bit(static_cast<Slot>(axis));
     const bool by_itself = ((block.incremental | block.absolute) & mask) != 0;
     const bool is_distance = text.is_distance(block, axis);
-    // FANUC ignores it under G91, SINUMERIK travels or not as SD42440 says.
+    // FANUC ignores it under G91, SINUMERIK travels or not as SD42440 is set.
     const bool is_machine = block.find(Function::MachineCoordinates) != nullptr;
     if (is_distance && is_machine && (by_itself || text.tables.notation.has_modes))
         return messages.cannot_express(block, "a distance in machine coordinates");

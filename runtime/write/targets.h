@@ -16,7 +16,7 @@ struct Targets {
     SlotMask wrapped_incremental = 0;     // IC()
     SlotMask by_letter = 0;               // that are written with the letter of distances
     double feed_factor = 1;               // of F
-    bool needs_incremental = false;       // all words are distances from places unknown
+    bool needs_incremental = false;       // all words are distances from positions unknown
 };
 
 /// The words of the axes; the text's position goes there with them.

@@ -37,7 +37,7 @@ void TextState::begin(bool is_inch) {
 }
 
 /// What the control has no code for it cannot have left: feeds a minute, X as a diameter, where no
-/// code says so.
+/// code sets it.
 void TextState::stand_without_codes() {
     for (std::size_t group = 0; group < kGroups; ++group) {
         const Function standing = tables_.power_on[group];
@@ -80,7 +80,7 @@ void TextState::mean_all(const Block& block) {
     const Function plane = modal_.meant_of(Group::Plane);
     const std::size_t tool_axis = view_.plane_axes()[2];
     mean(block);
-    // The length acts along another axis: both are somewhere else, and are said again.
+    // The length acts along another axis: both are somewhere else, and are written again.
     if (rules_.length_axis == LengthAxis::Plane && plane != Function::None &&
         plane != modal_.meant_of(Group::Plane)) {
         for (const std::size_t axis : {tool_axis, view_.plane_axes()[2]})
@@ -116,7 +116,7 @@ void TextState::mean_shared_feed(double feed) {
     modal_.feed_is_other = true;
 }
 
-// ---------------------------------------------------------------- what words say
+// ---------------------------------------------------------------- what words write
 
 void TextState::say(const Form& form) {
     say(form.function, form);

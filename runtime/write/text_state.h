@@ -1,4 +1,4 @@
-// text_state.h — the one owner of what a text has said: its changes, each with a name.
+// text_state.h — the one owner of what a text has written: its changes, each with a name.
 //
 // Words and blocks change it at once (text_state.cpp); what the functions of a block leave behind
 // comes when its line is written (following.cpp). Nobody else writes to it.
@@ -28,7 +28,7 @@ class TextState {
     void forget();
     /// Behind a block that the operator may leave out holds what is so with and without it.
     void join(const WriterModal& before);
-    /// What the program knows of the axes behind a change of its frame, of which the text says
+    /// What the program knows of the axes behind a change of its frame, of which the text has
     /// nothing.
     void take_position(const Block& block);
 
@@ -39,9 +39,9 @@ class TextState {
     /// The functions and numbers of a block, before its words are made.
     void mean_all(const Block& block);
 
-    // What words say
+    // What words write
     void say(const Form& form);
-    /// As if a word said it, where none can.
+    /// As if a word programmed it, where none can.
     void assume(Function function);
     void say_feed(double number, bool is_other);
     void say_speed(double number);
@@ -49,7 +49,7 @@ class TextState {
     void say_shift(std::size_t argument, double value);
     /// A word of a start line with a shift that stays: from the beginning the axis has it.
     void start_shift(const Form& form, AddressId address, double value);
-    /// A frame that no word of the text says: until a shift replaces all of them.
+    /// A frame that no word of the text writes: until a shift replaces all of them.
     void refuse_frame();
     /// The angle of a frame, whose rounding the positions behind it pay for.
     void say_turn(const Block& block, const Invocation& invocation, double angle_deg, int places);
@@ -67,7 +67,7 @@ class TextState {
     /// An axis goes to a coordinate or by a distance, in mm or degrees; returns where it stood in
     /// the text.
     double go(std::size_t axis, double value, bool is_distance);
-    /// A straight move that the fast way writes.
+    /// A straight move that the fast path writes.
     struct Arrival {
         std::size_t axis;
         double text;
@@ -84,7 +84,7 @@ class TextState {
     double call_waiting_edge();
     void edge_is_given(const WrittenPosition& position);
     void length_acts();
-    /// A change of the length, which words of the block say that moves the axis next.
+    /// A change of the length, which words of the block give that moves the axis next.
     ///
     /// deferred  what stands for the length with the number; null: it ends
     void hold_length(const Block& block, const Deferred* deferred, double number);
@@ -95,7 +95,7 @@ class TextState {
     void set_offset(std::size_t pending, double tool);
     void drop_pending(std::size_t pending);
 
-    /// What the functions of the block leave behind, once its line is written.
+    /// What the functions of the block leave behind, when its line is written.
     void follow(const Block& block);
 
   private:
@@ -117,7 +117,7 @@ class TextState {
     void forget_motion();
     void leave_changer();
     void defer_length(const Block& block, const Invocation& invocation);
-    // What waits is said by the program itself: a length for its axis, a radius for its side.
+    // What waits has words of its own in the program: a length for its axis, a radius for its side.
     void drop_pending_length();
     void drop_pending_radius();
 

@@ -54,15 +54,15 @@ bool TextView::leads_tip() const {
     return !is_axes || length == Function::TcpLength || length == Function::TcpVector;
 }
 
-/// Whether the group is said again before something moves. A compensation that acts is not: to say
-/// it a second time is a command of its own on some controls.
+/// Whether the group is written again before something moves. A compensation that acts is not: to
+/// write it a second time is a command of its own on some controls.
 bool TextView::is_restated(Group group) const {
     const Function meant = modal.meant[index_of(group)];
     if ((modal.doubtful & bit(group)) == 0 || meant == Function::None) return false;
     return has_code(meant) && (group != Group::RadiusComp || meant == Function::RadiusCompOff);
 }
 
-/// Whether the text says something else than is meant of a group on which a function of the block
+/// Whether the text has something else than is meant of a group on which a function of the block
 /// depends: the plane of a rotation, the dimensions of data. It is no motion, so no code is
 /// restored beside it.
 bool TextView::is_depended_on(const Block& block, Group group) const {
@@ -88,21 +88,21 @@ bool TextView::is_distance(const Block& block, std::size_t axis) const {
     return modal.meant[static_cast<std::size_t>(Group::Distance)] == Function::Incremental;
 }
 
-/// Whether the block can be said under incremental dimensions only: all its words are distances,
-/// and the control has neither AC() and IC() nor letters of distances to say them from places that
-/// nobody knows.
+/// Whether the block can be written under incremental dimensions only: all its words are distances,
+/// and the control has neither AC() and IC() nor letters of distances to write them from positions
+/// that nobody knows.
 bool TextView::needs_incremental(const Block& block) const {
     const SlotMask given = block.given & kTargetSlots;
     if (given == 0 || (block.incremental & given) != given) return false;
     if (tables.notation.has_modes || tables.has_incremental_letters) return false;
     const bool has_functions = block.function_count != 0;
     if (has_functions && block.find(Function::MachineCoordinates) != nullptr) return false;
-    // On the way to the reference point the control's own habit is a distance: G91 G28 Z0.
+    // On the motion to the reference point the control's own habit is a distance: G91 G28 Z0.
     const bool is_return = has_functions && block.find(Function::ReferenceReturn) != nullptr;
     return is_return || (modal.position.known & given) != given;
 }
 
-/// Whether the text says, or the control knows, what X is.
+/// Whether the text tells, or the control knows, what X is.
 bool TextView::knows_diameter() const { return modal.text_of(Group::Diameter) != Function::None; }
 
 /// What a coordinate is multiplied with to be one of the part: X may be a diameter, a centre never.

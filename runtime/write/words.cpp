@@ -256,7 +256,7 @@ void Words::append_whole(const Block& block, const FormWord& word, double value,
 }
 
 /// A ratio is as exact as it is meant, whatever the decimals of its letter; in thousandths it is a
-/// whole number, and what is finer cannot be said.
+/// whole number, and what is finer cannot be written.
 void Words::append_factor(const Block& block, double number, bool in_thousandths,
                           const NumberFormat& address, std::string_view name, std::string& out) {
     constexpr int kDecimals = 9;     // a factor is a real number on the controls that take one

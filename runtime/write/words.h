@@ -1,7 +1,7 @@
 // words.h — the words of one line, with their numbers: forms of functions, axis words, held-back
 // words.
 //
-// Appends what it is told to; what a line has, and in which order, is items.h. What the words say
+// Appends what it is given; what a line has, and in which order, is items.h. What the words mean
 // stays with the text (text_state.h).
 #pragma once
 

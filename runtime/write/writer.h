@@ -16,7 +16,7 @@ namespace kadr::write {
 
 struct WriteOptions {
     bool verbose_modal = false;                // repeat modal words
-    bool number_blocks = true;                 // as the dialect says; false: never
+    bool number_blocks = true;                 // as in the dialect; false: never
     bool native_cycles = true;                 // false: cycles have been expanded by the caller
     std::vector<Refusal>* refusals = nullptr;  // gets the forms that were passed over; null: nobody
 };
@@ -42,7 +42,7 @@ class Writer {
 
     std::uint32_t lines() const;  // written so far
     bool failed() const;          // an error was reported
-    /// What the text says behind its last line, as far as the writer knows (modal.h).
+    /// What the text has written behind its last line, as far as the writer knows (modal.h).
     const WriterModal& believed() const;
 
   private:

@@ -1,5 +1,5 @@
-// orienting.h — the rows of orienting.def, for those who report them: tools that lean under the
-// machine's transformation (K584x), and motions from point to point (K5693 and on).
+// orienting.h — the rows of orienting.def, for those who report them: tools that are inclined under
+// the machine's transformation (K584x), and motions from point to point (K5693 and on).
 #pragma once
 
 #include "base/diagnostic.h"
