@@ -278,16 +278,16 @@ void Executor::run_functions(const Block& said) {
 void Executor::move_with_own_feed(const Block& places, const Actions& actions) {
     if (!actions.feed_once) return channel_.motions.move(places, actions);
     const bool was_in_cycle = callers_.runs(Callers::Kind::Cycle);
+    const bool was_in_pattern = callers_.runs(Callers::Kind::Pattern);
     const bool was_in_shape = shape_.has_value();
-    const FeedWords::Programmed before = channel_.feed.exchange({*actions.feed_once, true});
+    channel_.feed.begin_block_feed(*actions.feed_once);
     channel_.motions.move(places, actions);
-    const auto take_back = [&](Modal& modal) {
-        modal.feed = before.feed;
-        modal.has_feed = before.is_given;
-    };
-    if (callers_.runs(Callers::Kind::Cycle) && !was_in_cycle) return take_back(cycle_.modal_before);
-    if (shape_ && !was_in_shape) take_back(shape_->modal);
-    (void)channel_.feed.exchange(before);
+    // The strokes of a cycle go by it, and what comes behind the cycle does not.
+    if (callers_.runs(Callers::Kind::Cycle) && !was_in_cycle)
+        return cycle_.modal_before.end_block_feed();
+    if (callers_.runs(Callers::Kind::Pattern) && !was_in_pattern) return;  // it ends with that
+    if (shape_ && !was_in_shape) shape_->modal.end_block_feed();
+    channel_.feed.end_block_feed();
 }
 
 // ------------------------------------------------------------------------------ out

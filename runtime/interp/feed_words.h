@@ -16,17 +16,14 @@ class FeedWords {
     FeedWords(const FeedWords&) = delete;
     FeedWords& operator=(const FeedWords&) = delete;
 
-    /// F as programmed, unit of the feed mode.
-    struct Programmed {
-        double feed = 0;
-        bool is_given = false;
-    };
-    /// This one acts from here on; returns the one before.
-    Programmed exchange(Programmed by) {
-        return {std::exchange(modal_.feed, by.feed), std::exchange(modal_.has_feed, by.is_given)};
-    }
     /// As if F had been programmed: nothing moves with it.
-    void assume(double feed) { (void)exchange({feed, true}); }
+    void assume(double feed) {
+        modal_.feed = feed;
+        modal_.has_feed = true;
+    }
+    /// A feed of the block alone.
+    void begin_block_feed(double feed) { modal_.begin_block_feed(feed); }
+    void end_block_feed() { modal_.end_block_feed(); }
 
     /// The varying feed of a motion falls to this, in the unit of F.
     void report_varying_feed(const path::Command& command, double feed);

@@ -45,6 +45,7 @@ void Cycles::finish_pattern() {
     const PatternRun& pattern = patterns_.back();
     const Block caller = pattern.caller;
     Modal after = pattern.modal_before;
+    after.end_block_feed();
     if (pattern.calls_program) {
         after.feed = modal_.feed;
         after.has_feed = modal_.has_feed;

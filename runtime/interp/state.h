@@ -31,7 +31,25 @@ struct Modal {
     Blend blend = Blend::None;
     bool has_feed = false;
     double feed = 0;  // unit of the feed mode
+    /// F that is in force again behind a block with a feed of its own; S 2.3 FB.
+    struct ModalFeed {
+        bool is_given = false;
+        double value = 0;
+    };
+    std::optional<ModalFeed> feed_behind;
 
+    /// The feed of a block with one of its own: it acts until end_block_feed.
+    void begin_block_feed(double value) {
+        feed_behind = ModalFeed{has_feed, feed};
+        has_feed = true;
+        feed = value;
+    }
+    void end_block_feed() {
+        if (!feed_behind) return;
+        has_feed = feed_behind->is_given;
+        feed = feed_behind->value;
+        feed_behind.reset();
+    }
     /// function  of the group PathMode
     void set_path_mode(nc::Function function);
     void move_by(nc::Function code) { motion = code; }
