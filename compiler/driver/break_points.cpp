@@ -98,7 +98,7 @@ bool BreakPoint::is_at(const StopArrival& arrival) const {
                        [&](const StopArrival::Entered& call) { return is_called(call.function); });
 }
 
-std::size_t CallWatch::known_calls(const expand::Trace& now) {
+std::size_t CallWatch::known_calls(const expand::BlockOrigin& now) {
     // The same call in another pass of a loop around it is another call.
     const auto is_same_turn = [&](std::size_t loops) {
         return loops <= now.loop_counts.size() && loops <= before_.loop_counts.size() &&

@@ -67,10 +67,10 @@ class BreakPoint {
 class CallWatch {
   public:
     /// How many of the block's calls, from the outermost on, are those of the block before.
-    std::size_t known_calls(const expand::Trace& now);
+    std::size_t known_calls(const expand::BlockOrigin& now);
 
   private:
-    expand::Trace before_;
+    expand::BlockOrigin before_;
 };
 
 }  // namespace kadr::driver

@@ -15,12 +15,12 @@ namespace kadr::driver {
 class CallMap {
   public:
     /// Lines first to last (from 1) come from this block. Lines are added in their order.
-    void add(std::uint32_t first, std::uint32_t last, const expand::Trace& trace) {
+    void add(std::uint32_t first, std::uint32_t last, const expand::BlockOrigin& trace) {
         entries_.push_back({first, last, trace});
         while (entries_.front().last + kLines < last) entries_.pop_front();
     }
 
-    const expand::Trace* find(std::uint32_t line) const {
+    const expand::BlockOrigin* find(std::uint32_t line) const {
         const auto behind = std::upper_bound(
             entries_.begin(), entries_.end(), line,
             [](std::uint32_t wanted, const Entry& entry) { return wanted < entry.first; });
@@ -36,7 +36,7 @@ class CallMap {
     struct Entry {
         std::uint32_t first = 0;
         std::uint32_t last = 0;
-        expand::Trace trace;
+        expand::BlockOrigin trace;
     };
     std::deque<Entry> entries_;
 };

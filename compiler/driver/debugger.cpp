@@ -112,7 +112,7 @@ void Debugger::find_statement(TraceStep& step) const {
     if (generated == nullptr) return;
     const auto line = static_cast<std::uint32_t>(step.line);
     step.statement = execution_->statement(generated->lines().find(line));
-    const expand::Trace* calls = generated->calls_behind(line);
+    const expand::BlockOrigin* calls = generated->calls_behind(line);
     step.has_calls = calls != nullptr;
     if (step.has_calls) step.calls = *calls;
 }

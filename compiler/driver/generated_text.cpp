@@ -226,7 +226,7 @@ std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number
     std::size_t count = again.pull(batch);
     for (; count > 0 && first + count <= number; count = again.pull(batch)) first += count;
     if (count == 0) return notes;
-    const std::vector<expand::CallSite>& calls = again.trace(number - first).calls;
+    const std::vector<expand::SourceCall>& calls = again.trace(number - first).calls;
     for (auto call = calls.rbegin(); call != calls.rend(); ++call) {
         notes.push_back({call->range, {}, "`" + std::string(call->function) + "` was called here"});
     }
@@ -260,7 +260,7 @@ void GeneratedText::move_to_statement(Diagnostic& diagnostic) const {
     std::erase_if(diagnostic.notes, [&](const auto& note) { return note.range == statement; });
     diagnostic.range = statement;
     diagnostic.notes.push_back({{}, std::exchange(diagnostic.line, {}), "it writes this line"});
-    const expand::Trace* trace = calls_behind(diagnostic.notes.back().line->line);
+    const expand::BlockOrigin* trace = calls_behind(diagnostic.notes.back().line->line);
     if (trace == nullptr) return;
     std::vector<Diagnostic::Note> calls;
     for (auto call = trace->calls.rbegin(); call != trace->calls.rend(); ++call)

@@ -65,7 +65,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     bool failed() const;
     const LineMap& lines() const { return *line_map_; }
     /// The calls that led to a line; null if there are none, or they are forgotten or not kept.
-    const expand::Trace* calls_behind(std::uint32_t line) const {
+    const expand::BlockOrigin* calls_behind(std::uint32_t line) const {
         return call_map_ ? call_map_->find(line) : nullptr;
     }
     /// A message about a line that is still known comes to the statement that wrote it, or where

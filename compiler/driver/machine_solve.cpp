@@ -30,7 +30,7 @@ using machine::MachineAxis;
 using machine::Vec3;
 
 /// Positions by logical axis, as people have them: mm and degrees.
-struct Words {
+struct SolveWords {
     AxisValues values{};
     AxisMask given = 0;
 };
@@ -118,8 +118,8 @@ class Solver {
     // ---------------------------------------------------------------- what was asked
 
     /// Axis letters with numbers, commas or blanks between them.
-    std::optional<Words> read_words(const char* option, const std::string& text) {
-        Words words;
+    std::optional<SolveWords> read_words(const char* option, const std::string& text) {
+        SolveWords words;
         std::string_view rest = machine::trimmed(text);
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find_first_of(", "), rest.size());
@@ -187,7 +187,7 @@ class Solver {
 
     // ---------------------------------------------------------------- positions
 
-    ChainPosition position_of(const Words& words) const {
+    ChainPosition position_of(const SolveWords& words) const {
         const AxisValues& v = words.values;
         ChainPosition position;
         position.linear = {v[index(Axis::X)], v[index(Axis::Y)], v[index(Axis::Z)]};

@@ -28,8 +28,8 @@ constexpr double kNarrowest = 620;  // paper: room for the title
 constexpr double kMargin = 0.06;      // around the part, share of its largest side
 constexpr double kRapidReach = 0.35;  // rapids count up to this share outside of the part
 
-Box shown_box(const PlotScene& scene) {
-    Box box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
+SceneBox shown_box(const PlotScene& scene) {
+    SceneBox box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
     if (box.is_empty()) {
         box.add(Vec3(-10, -10, -10));
         box.add(Vec3(10, 10, 10));
@@ -37,10 +37,10 @@ Box shown_box(const PlotScene& scene) {
     const double side = std::max(box.largest_side(), 1e-3);
     if (!scene.rapid_box().is_empty()) {
         const Vec3 reach = Vec3::Constant(kRapidReach * side);
-        Box near;
+        SceneBox near;
         near.add(box.lower - reach);
         near.add(box.upper + reach);
-        Box rapids;
+        SceneBox rapids;
         rapids.add(scene.rapid_box().lower.cwiseMax(near.lower).cwiseMin(near.upper));
         rapids.add(scene.rapid_box().upper.cwiseMin(near.upper).cwiseMax(near.lower));
         box.add(rapids);
@@ -82,14 +82,14 @@ Vec3 View::towards_eye() const { return rightwards().cross(upwards()); }
 namespace {
 
 /// A view that would be a mere line gets some air, at the same scale.
-void widen(Box& shown, int axis, double least) {
+void widen(SceneBox& shown, int axis, double least) {
     const double missing = least - (shown.upper[axis] - shown.lower[axis]);
     if (missing <= 0) return;
     shown.lower[axis] -= missing / 2;
     shown.upper[axis] += missing / 2;
 }
 
-void place_turning(Layout& layout) {
+void place_turning(PlotLayout& layout) {
     constexpr double kMost = 860;  // pixels along Z: the legend stands beside the view
     const auto scale_now = [&] {
         const Vec3 size = layout.shown.upper - layout.shown.lower;
@@ -108,7 +108,7 @@ void place_turning(Layout& layout) {
     layout.height = std::max(frame.bottom(), layout.legend.bottom()) + kBottom;
 }
 
-void place_three_views(Layout& layout) {
+void place_three_views(PlotLayout& layout) {
     const auto scale_now = [&] {
         const Vec3 size = layout.shown.upper - layout.shown.lower;
         return std::min((kAcross - kGap) / (size.x() + size.z()),
@@ -134,7 +134,7 @@ void place_three_views(Layout& layout) {
 }
 
 /// Beside the others, as high as they are together.
-void place_isometric(Layout& layout) {
+void place_isometric(PlotLayout& layout) {
     constexpr double kWidest = 760;
     constexpr double kMargins = 40;  // pixels that stay free, both sides together
     View view;
@@ -165,16 +165,16 @@ void place_isometric(Layout& layout) {
 
 double tool_length(const PlotScene& scene) {
     constexpr double kShare = 0.12;  // of the largest side of the part
-    const Box& box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
+    const SceneBox& box = scene.feed_box().is_empty() ? scene.rapid_box() : scene.feed_box();
     return kShare * std::max(box.largest_side(), 10.0);
 }
 
-Layout lay_out(const PlotScene& scene, std::span<const PlotTool> tools) {
-    Layout layout;
+PlotLayout lay_out(const PlotScene& scene, std::span<const PlotTool> tools) {
+    PlotLayout layout;
     layout.shown = shown_box(scene);
     const double length = tool_length(scene);
     for (const PlotTool& tool : tools) layout.shown.add(tool.tip + length * tool.direction);
-    const Box& cut = scene.feed_box();
+    const SceneBox& cut = scene.feed_box();
     const bool is_turning = !cut.is_empty() && cut.lower.y() == cut.upper.y() &&
                             cut.lower.x() < cut.upper.x() && cut.lower.z() < cut.upper.z();
     if (is_turning) place_turning(layout);

@@ -49,10 +49,10 @@ struct View {
     path::Vec3 towards_eye() const;
 };
 
-struct Layout {
+struct PlotLayout {
     double width = 0;
     double height = 0;
-    Box shown;                // what the views show, mm
+    SceneBox shown;           // what the views show, mm
     double grid = 10;         // mm between labelled lines
     std::vector<View> views;  // the plan view; then front and side view, if there is depth;
                               // then the isometric one, if it was asked for
@@ -69,7 +69,7 @@ std::vector<double> grid_values(double lower, double upper, double step);
 /// one view, Z to the right and X upwards, as it lies in the chuck.
 ///
 /// tools  along the path; with any of them there is an isometric view, and room for them in all
-Layout lay_out(const PlotScene& scene, std::span<const PlotTool> tools = {});
+PlotLayout lay_out(const PlotScene& scene, std::span<const PlotTool> tools = {});
 
 /// How long a tool is drawn, mm.
 double tool_length(const PlotScene& scene);

@@ -32,18 +32,18 @@ double distance_to_segment(const Vec3& point, const Vec3& from, const Vec3& to) 
 
 }  // namespace
 
-void Box::add(const Vec3& point) {
+void SceneBox::add(const Vec3& point) {
     lower = lower.cwiseMin(point);
     upper = upper.cwiseMax(point);
 }
 
-void Box::add(const Box& other) {
+void SceneBox::add(const SceneBox& other) {
     if (other.is_empty()) return;
     add(other.lower);
     add(other.upper);
 }
 
-double Box::largest_side() const { return is_empty() ? 0.0 : (upper - lower).maxCoeff(); }
+double SceneBox::largest_side() const { return is_empty() ? 0.0 : (upper - lower).maxCoeff(); }
 
 Vec3 point_on_arc(const PlotArc& arc, const Vec3& from, const Vec3& to, double share) {
     const Vec3 start = from - arc.center;
@@ -81,7 +81,7 @@ void PlotScene::add(const motion::Segment& segment, double shade) {
     if (begins_anew) append({.to = from, .kind = PlotPiece::Kind::Jump, .shade = shade});
     if (is_approach) return;
     const path::Box bounds = path::bounds(segment.curve);
-    Box& box = piece.kind == PlotPiece::Kind::Rapid ? rapid_box_ : feed_box_;
+    SceneBox& box = piece.kind == PlotPiece::Kind::Rapid ? rapid_box_ : feed_box_;
     box.add(bounds.lower);
     box.add(bounds.upper);
     if (const auto* helix = std::get_if<path::Helix>(&segment.curve)) {
@@ -107,7 +107,7 @@ void PlotScene::append(const PlotPiece& piece) {
 }
 
 void PlotScene::thin() {
-    Box all = feed_box_;
+    SceneBox all = feed_box_;
     all.add(rapid_box_);
     const double side = std::max(all.largest_side(), 1e-6);
     tolerance_ = std::max(tolerance_, side * kFirstTolerance);

@@ -13,13 +13,13 @@
 namespace kadr::driver {
 
 /// A box around points, mm; empty while lower > upper.
-struct Box {
+struct SceneBox {
     path::Vec3 lower = path::Vec3::Constant(1e300);
     path::Vec3 upper = path::Vec3::Constant(-1e300);
 
     bool is_empty() const { return lower.x() > upper.x(); }
     void add(const path::Vec3& point);
-    void add(const Box& other);
+    void add(const SceneBox& other);
     double largest_side() const;
 };
 
@@ -53,8 +53,8 @@ class PlotScene {
     const PlotArc& arc(const PlotPiece& piece) const {
         return arcs_[static_cast<std::size_t>(piece.arc)];
     }
-    const Box& feed_box() const { return feed_box_; }
-    const Box& rapid_box() const { return rapid_box_; }
+    const SceneBox& feed_box() const { return feed_box_; }
+    const SceneBox& rapid_box() const { return rapid_box_; }
 
   private:
     void append(const PlotPiece& piece);
@@ -63,8 +63,8 @@ class PlotScene {
 
     std::vector<PlotPiece> pieces_;
     std::vector<PlotArc> arcs_;
-    Box feed_box_;
-    Box rapid_box_;
+    SceneBox feed_box_;
+    SceneBox rapid_box_;
     path::Vec3 at_ = path::Vec3::Zero();
     bool has_begun_ = false;  // `at_` holds
     double tolerance_ = 0;

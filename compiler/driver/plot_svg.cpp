@@ -95,7 +95,7 @@ void draw_isometric_paper(std::string& out, const View& view) {
     }
 }
 
-void draw_paper(std::string& out, const View& view, const Layout& layout) {
+void draw_paper(std::string& out, const View& view, const PlotLayout& layout) {
     const PlotFrame& f = view.frame;
     put(out,
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\"/>\n",
@@ -144,7 +144,7 @@ void draw_dimension_up(std::string& out, const View& view, double from, double t
         x + 4.5, (a + b) / 2, kInk, mm((to - from) * view.up_given));
 }
 
-void draw_dimensions(std::string& out, const Layout& layout, const Box& part) {
+void draw_dimensions(std::string& out, const PlotLayout& layout, const SceneBox& part) {
     constexpr double kOutside = 32;  // pixels between a view and its dimension
     if (part.is_empty()) return;
     const auto across = [&](const View& view) {
@@ -319,14 +319,14 @@ void draw_marks(std::string& out, const View& view, const PlotScene& scene, bool
 }
 
 /// What the views show.
-struct Picture {
+struct SvgPicture {
     const PlotScene& scene;
     const std::vector<LegendEntry>& legend;
     std::span<const PlotTool> tools;
 };
 
 /// The tool as a line from the tip, where it has moved or turned enough since the last one.
-void draw_tools(std::string& out, const View& view, const Picture& picture) {
+void draw_tools(std::string& out, const View& view, const SvgPicture& picture) {
     constexpr double kApart = 9;  // pixels between two of them, at either end
     if (picture.tools.empty()) return;
     const double length = tool_length(picture.scene);
@@ -347,7 +347,8 @@ void draw_tools(std::string& out, const View& view, const Picture& picture) {
     out += "\"/>\n";
 }
 
-void draw_view(std::string& out, const Layout& layout, std::size_t index, const Picture& picture) {
+void draw_view(std::string& out, const PlotLayout& layout, std::size_t index,
+               const SvgPicture& picture) {
     const PlotScene& scene = picture.scene;
     const std::vector<LegendEntry>& legend = picture.legend;
     const View& view = layout.views[index];
@@ -367,7 +368,7 @@ void draw_view(std::string& out, const Layout& layout, std::size_t index, const 
 
 // ---------------------------------------------------------------------------------------- legend
 
-void draw_legend(std::string& out, const Layout& layout, const Picture& picture,
+void draw_legend(std::string& out, const PlotLayout& layout, const SvgPicture& picture,
                  const PlotText& text, PlotColor color) {
     const PlotScene& scene = picture.scene;
     const double left = layout.legend.left;
@@ -419,14 +420,14 @@ constexpr const char* kToolStyle =
 
 std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color,
                      std::span<const PlotTool> tools) {
-    Layout layout = lay_out(scene, tools);
+    PlotLayout layout = lay_out(scene, tools);
     for (View& view : layout.views) {
         if (!text.has_diameters || view.up != 0 || view.is_isometric) continue;
         view.up_given = 2;
         view.name += ", X as diameters";
     }
     const std::vector<LegendEntry> legend = legend_of(scene, color);
-    const Picture picture{scene, legend, tools};
+    const SvgPicture picture{scene, legend, tools};
     std::string out;
     put_start(out, layout.width, layout.height);
     put(out, "<title>{}</title>\n", escaped(text.title));

@@ -16,9 +16,9 @@ namespace kadr::driver {
 namespace {
 
 /// A text that can be read again from any position, as a file can.
-class WholeText final : public nc::TextSource {
+class ExampleText final : public nc::TextSource {
   public:
-    explicit WholeText(std::string text) : text_(std::move(text)) {}
+    explicit ExampleText(std::string text) : text_(std::move(text)) {}
     std::string_view next() override {
         return std::string_view(text_).substr(std::exchange(at_, text_.size()));
     }
@@ -60,7 +60,7 @@ std::string outcome_of(Session& session, const nc::Dialect& dialect, const std::
     const machine::Machine* machine = session.machine();
     if (machine == nullptr) return "no machine";
     DiagnosticList messages;
-    WholeText source(program_of(dialect, text));
+    ExampleText source(program_of(dialect, text));
     macro::ProgramOptions options;
     options.max_turns = 10'000;
     options.max_repeated = 10'000;

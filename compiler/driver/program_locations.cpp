@@ -51,7 +51,8 @@ SourceRange ProgramLocations::users_statement(std::uint32_t line, SourceId sourc
     const SourceRange statement = execution_.statement(source);
     if (!statement.file.is_valid() || !is_in_library(statement)) return statement;
     const GeneratedText* generated = execution_.generated();
-    const expand::Trace* calls = generated == nullptr ? nullptr : generated->calls_behind(line);
+    const expand::BlockOrigin* calls =
+        generated == nullptr ? nullptr : generated->calls_behind(line);
     if (calls == nullptr) return statement;
     for (auto call = calls->calls.rbegin(); call != calls->calls.rend(); ++call) {
         if (call->range.file.is_valid() && !is_in_library(call->range)) return call->range;

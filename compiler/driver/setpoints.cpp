@@ -23,27 +23,27 @@ double beam_power(const machine::Laser& laser, const motion::Setpoint& setpoint)
     return laser.least_power + (laser.power - laser.least_power) * share;
 }
 
-enum class Kind : std::uint8_t { Length, Feed, Count };
+enum class ColumnKind : std::uint8_t { Length, Feed, Count };
 
 /// A number of a setpoint, as the table has it.
-struct Cell {
-    Kind kind = Kind::Length;
+struct SetpointCell {
+    ColumnKind kind = ColumnKind::Length;
     double number = 0;        // of a Length or a Feed
     std::uint32_t count = 0;  // of a Count
 };
 
-struct Column {
+struct SetpointColumn {
     std::string name;
-    Kind kind = Kind::Length;
+    ColumnKind kind = ColumnKind::Length;
 };
 
-Cell length(double value) { return {Kind::Length, value}; }
-Cell feed(double value) { return {Kind::Feed, value}; }
-Cell counted(std::uint32_t value) { return {Kind::Count, 0, value}; }
+SetpointCell length(double value) { return {ColumnKind::Length, value}; }
+SetpointCell feed(double value) { return {ColumnKind::Feed, value}; }
+SetpointCell counted(std::uint32_t value) { return {ColumnKind::Count, 0, value}; }
 
 /// All numbers of a setpoint, in the order of machine::setpoint_columns.
 void fill(const machine::Machine& machine, const motion::Setpoint& setpoint,
-          std::vector<Cell>& cells) {
+          std::vector<SetpointCell>& cells) {
     cells.clear();
     cells.push_back(length(setpoint.time));
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
@@ -68,7 +68,7 @@ class ChosenColumns {
         const std::vector<std::string> names = machine::setpoint_columns(machine);
         for (const std::size_t i : chosen_) columns_.push_back({names[i], cells_[i].kind});
     }
-    const std::vector<Column>& columns() const { return columns_; }
+    const std::vector<SetpointColumn>& columns() const { return columns_; }
 
     template <typename Look>
     void for_each(const motion::Setpoint& setpoint, const Look& look) {
@@ -79,15 +79,15 @@ class ChosenColumns {
   private:
     const machine::Machine& machine_;
     std::vector<std::size_t> chosen_;
-    std::vector<Column> columns_;
-    std::vector<Cell> cells_;
+    std::vector<SetpointColumn> columns_;
+    std::vector<SetpointCell> cells_;
 };
 
 class CsvTable final : public SetpointTable {
   public:
     CsvTable(const machine::Machine& machine, Output& out) : columns_(machine), out_(out) {
         std::string header;
-        for (const Column& column : columns_.columns())
+        for (const SetpointColumn& column : columns_.columns())
             header += (header.empty() ? "" : ",") + column.name;
         out_.write(header + '\n');
     }
@@ -96,12 +96,12 @@ class CsvTable final : public SetpointTable {
         text_.clear();
         for (const motion::Setpoint& setpoint : setpoints) {
             const std::size_t begin = text_.size();
-            columns_.for_each(setpoint, [&](const Cell& cell) {
+            columns_.for_each(setpoint, [&](const SetpointCell& cell) {
                 if (text_.size() > begin) text_ += ',';
-                if (cell.kind == Kind::Count) text_ += std::to_string(cell.count);
+                if (cell.kind == ColumnKind::Count) text_ += std::to_string(cell.count);
                 else
                     append_trimmed(text_, cell.number,
-                                   cell.kind == Kind::Feed ? kFeedDecimals : kDecimals);
+                                   cell.kind == ColumnKind::Feed ? kFeedDecimals : kDecimals);
             });
             text_ += '\n';
         }
@@ -129,8 +129,8 @@ class NumpyTable final : public SetpointTable {
     void write(std::span<const motion::Setpoint> setpoints) override {
         bytes_.clear();
         for (const motion::Setpoint& setpoint : setpoints) {
-            columns_.for_each(setpoint, [&](const Cell& cell) {
-                if (cell.kind == Kind::Count) append(cell.count);
+            columns_.for_each(setpoint, [&](const SetpointCell& cell) {
+                if (cell.kind == ColumnKind::Count) append(cell.count);
                 else append(cell.number);
             });
         }
@@ -154,9 +154,9 @@ class NumpyTable final : public SetpointTable {
         constexpr std::size_t kFixed = 10;       // bytes in front of the dictionary
         constexpr std::size_t kMostDigits = 20;  // of the number of rows
         std::string text = "{'descr': [";
-        for (const Column& column : columns_.columns()) {
-            text +=
-                "('" + column.name + "', '" + (column.kind == Kind::Count ? "<u4" : "<f8") + "'), ";
+        for (const SetpointColumn& column : columns_.columns()) {
+            text += "('" + column.name + "', '" +
+                    (column.kind == ColumnKind::Count ? "<u4" : "<f8") + "'), ";
         }
         text += "], 'fortran_order': False, 'shape': (";
         const std::string rows = std::to_string(rows_);

@@ -22,9 +22,9 @@ void append_start(std::string& out, const Session& session, const SourceRange& r
 
 }  // namespace
 
-void append_calls(std::string& out, const expand::Trace& trace, const Session& session) {
+void append_calls(std::string& out, const expand::BlockOrigin& trace, const Session& session) {
     out += ",\"calls\":[";
-    for (const expand::CallSite& call : trace.calls) {
+    for (const expand::SourceCall& call : trace.calls) {
         if (&call != &trace.calls.front()) out += ',';
         out += "{\"function\":" + json_string(call.function);
         if (call.range.file.is_valid()) append_start(out, session, call.range);
@@ -33,7 +33,7 @@ void append_calls(std::string& out, const expand::Trace& trace, const Session& s
     out += ']';
 }
 
-void append_map_entry(std::string& out, LineSpan lines, const expand::Trace& trace,
+void append_map_entry(std::string& out, LineSpan lines, const expand::BlockOrigin& trace,
                       const Session& session) {
     out += "{\"iso\":" + std::to_string(lines.first);
     append_number(out, "lines", lines.count);

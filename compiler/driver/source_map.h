@@ -16,14 +16,14 @@ struct LineSpan {
 };
 
 /// Appends `,"calls":[{"function":"f","file":"a.kadr","line":50,"column":3}]`, the outermost first.
-void append_calls(std::string& out, const expand::Trace& trace, const Session& session);
+void append_calls(std::string& out, const expand::BlockOrigin& trace, const Session& session);
 
 /// Appends one object and a line end:
 /// `{"iso":12,"lines":1,"file":"a.kadr","line":34,"column":5,"end_line":34,"end_column":20,
 ///   "calls":[{"function":"f","file":"a.kadr","line":50,"column":3}],"loops":[2]}`.
 /// `calls` begins with the outermost; `loops` counts the passes of the loops around the statement,
 /// the outermost first.
-void append_map_entry(std::string& out, LineSpan lines, const expand::Trace& trace,
+void append_map_entry(std::string& out, LineSpan lines, const expand::BlockOrigin& trace,
                       const Session& session);
 
 }  // namespace kadr::driver

@@ -34,7 +34,7 @@ constexpr std::array<const char*, 3> kControls = {"sinumerik", "fanuc", "axioma"
 constexpr std::uint64_t kMostRejected = 20;
 constexpr int kMostSimpler = 500;  // tries to make a failing set simpler
 
-enum class Outcome : std::uint8_t { Holds, Fails, Rejected };
+enum class TestOutcome : std::uint8_t { Holds, Fails, Rejected };
 
 /// What one test reported under one control.
 struct Verdict {
@@ -72,8 +72,8 @@ class TestRun {
   private:
     void run_file(const std::string& source);
     void run_test(const KadrProgram& program, std::uint32_t index);
-    Outcome run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
-                     const std::string& dialect, DiagnosticList& messages);
+    TestOutcome run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
+                         const std::string& dialect, DiagnosticList& messages);
     void run_property(std::uint32_t index, const std::string& dialect, DiagnosticList& messages);
     void run_given(std::uint32_t index, const std::string& dialect, DiagnosticList& messages);
     Diagnostic counterexample(std::uint32_t index, const PropertyValues& values,
@@ -103,10 +103,10 @@ bool TestRun::is_chosen(const FunctionCode& function) const {
     return is_wanted && function.name.find(job_.filter) != std::string::npos;
 }
 
-Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
-                          const std::string& dialect, DiagnosticList& messages) {
+TestOutcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& values,
+                              const std::string& dialect, DiagnosticList& messages) {
     const nc::Dialect* target = session_.dialect(dialect, {});
-    if (target == nullptr) return Outcome::Fails;
+    if (target == nullptr) return TestOutcome::Fails;
     bench_->begin(dialect, messages);
     const sema::Code& code = *program_->code;
     expand::Expander expander(code, *target, {}, messages);
@@ -121,10 +121,10 @@ Outcome TestRun::run_once(std::uint32_t index, const std::vector<sema::Slot>& va
             .arg(code.functions[index].kind == FunctionKind::Test ? "test" : "property")
             .note(code.functions[index].range, "of this")
             .fix("execute what makes it: `execute(…)`");
-        return Outcome::Fails;
+        return TestOutcome::Fails;
     }
-    if (expander.rejected()) return Outcome::Rejected;
-    return expander.failed() || messages.has_errors() ? Outcome::Fails : Outcome::Holds;
+    if (expander.rejected()) return TestOutcome::Rejected;
+    return expander.failed() || messages.has_errors() ? TestOutcome::Fails : TestOutcome::Holds;
 }
 
 /// What a failed property reports: the message, the values, and how to see it again.
@@ -156,11 +156,11 @@ void TestRun::run_property(std::uint32_t index, const std::string& dialect,
     while (tried < job_.runs && chosen < job_.runs * kMostRejected) {
         PropertyValues::Set set = values.choose(chosen++, dice);
         DiagnosticList first;
-        const Outcome outcome = run_once(index, values.slots(set), dialect, first);
+        const TestOutcome outcome = run_once(index, values.slots(set), dialect, first);
         was_asked = was_asked || bench_->was_asked();
-        if (outcome == Outcome::Rejected) continue;
+        if (outcome == TestOutcome::Rejected) continue;
         ++tried;
-        if (outcome == Outcome::Holds) continue;
+        if (outcome == TestOutcome::Holds) continue;
         std::vector<Diagnostic> found = first.all();
         int tries = 0;
         for (bool is_simpler = true; is_simpler && tries < kMostSimpler;) {
@@ -168,7 +168,7 @@ void TestRun::run_property(std::uint32_t index, const std::string& dialect,
             for (const PropertyValues::Set& other : values.simpler(set)) {
                 if (++tries > kMostSimpler) break;
                 DiagnosticList again;
-                if (run_once(index, values.slots(other), dialect, again) != Outcome::Fails)
+                if (run_once(index, values.slots(other), dialect, again) != TestOutcome::Fails)
                     continue;
                 set = other;
                 found = again.all();
@@ -212,7 +212,7 @@ void TestRun::run_given(std::uint32_t index, const std::string& dialect, Diagnos
     expand::Expander reader(*program_->code, *target, {}, messages);
     const auto values = reader.read_values(index, session_.options().defines);
     if (!values) return;
-    if (run_once(index, *values, dialect, messages) == Outcome::Rejected) {
+    if (run_once(index, *values, dialect, messages) == TestOutcome::Rejected) {
         messages.report(diag::PropertyStarved, program_->code->functions[index].range)
             .arg(0)
             .arg(1);

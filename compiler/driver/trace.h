@@ -42,7 +42,7 @@ struct TraceStep {
     std::string text;
     SourceRange statement;   // of the Kadr program; invalid: none
     bool has_calls = false;  // `calls` holds
-    expand::Trace calls;
+    expand::BlockOrigin calls;
     std::vector<macro::VariableChange> variables;  // each once, and only if it has changed
 };
 

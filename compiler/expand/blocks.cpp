@@ -34,7 +34,7 @@ constexpr std::uint32_t kOfCycles = sema::custom::kCyclePosition | sema::custom:
 /// The instruction that made the value of a word; its location is the word, not the whole block.
 std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at) const {
     const Instruction& emit = code.instructions[at];
-    if (emit.op != Op::Emit) return at;  // a feed of `follow`
+    if (emit.op != OpCode::Emit) return at;  // a feed of `follow`
     const sema::Plan& plan = code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
     const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
     const SourceRange block = code.locations[at];
@@ -263,7 +263,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
             return kFailed;
         }
     }
-    if ((plan.customs & kOfCycles) != 0 && recordings.empty() && !take_place(block, plan, at))
+    if ((plan.customs & kOfCycles) != 0 && recordings.empty() && !take_position(block, plan, at))
         [[unlikely]] {
         return kFailed;
     }

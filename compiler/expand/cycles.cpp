@@ -85,7 +85,7 @@ Done Expander::State::require_between_positions(const sema::Plan& plan,
     return moves ? refuse_beside_cycle("a move that is no block of its file", at) : kDone;
 }
 
-Done Expander::State::take_place(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done Expander::State::take_position(Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool begins = (plan.customs & custom::kCyclePosition) != 0;
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
     if (ends) active_cycle.taps_rigidly = false;

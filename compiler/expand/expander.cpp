@@ -47,7 +47,7 @@ const ModalState* Expander::known() const {
     return state_->waiting.empty() ? &state_->modal : nullptr;
 }
 
-const Trace& Expander::trace(std::size_t i) const {
+const BlockOrigin& Expander::trace(std::size_t i) const {
     KADR_ASSERT(i < state_->traces.size(), "a trace was asked for without ExpandOptions::trace");
     return state_->traces[i];
 }

@@ -43,16 +43,16 @@ struct RunLimits {
 };
 
 /// One frame of the call stack behind a block, for messages and the source map.
-struct CallSite {
+struct SourceCall {
     SourceRange range;          // of the call
     std::string_view function;  // called
     std::size_t loops = 0;      // around the call, of Trace::loop_counts
 };
 
 /// How the block that was yielded last came to be.
-struct Trace {
+struct BlockOrigin {
     SourceRange statement;
-    std::vector<CallSite> calls;             // outermost first
+    std::vector<SourceCall> calls;           // outermost first
     std::vector<std::uint64_t> loop_counts;  // of the loops around the statement, outermost first
 };
 
@@ -126,7 +126,7 @@ class Expander final : public Stream<nc::Block> {
     /// that were made together with it.
     const ModalState* known() const;
     /// Of block `i` of the latest batch, if ExpandOptions::trace.
-    const Trace& trace(std::size_t i) const;
+    const BlockOrigin& trace(std::size_t i) const;
 
   private:
     struct State;

@@ -99,7 +99,7 @@ void Expander::State::contract_failed(const Instruction& instruction, const Slot
         code.texts[static_cast<std::size_t>(instruction.immediate.pair.first)];
     const std::string text = has_text ? heap.text(registers[instruction.a].integer)
                                       : "`" + condition + "` does not hold";
-    if (instruction.op == Op::AssertFailed) {
+    if (instruction.op == OpCode::AssertFailed) {
         fault(diag::AssertFailed, at).arg(text);
         return;
     }
@@ -118,7 +118,7 @@ void Expander::State::contract_failed(const Instruction& instruction, const Slot
 
 void Expander::State::keep_trace(std::uint32_t at, unsigned depth, SourceId source) {
     if (!recordings.empty()) return;  // a block of a contour is none of the output
-    Trace trace;
+    BlockOrigin trace;
     trace.statement = source.is_valid() && source.index < code.statements.size()
                           ? code.statements[source.index]
                           : code.locations[at];

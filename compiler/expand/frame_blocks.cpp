@@ -78,11 +78,11 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
     if (modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp("a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    const auto change = static_cast<sema::FrameChange>(instruction.b);
-    const std::size_t count = change == sema::FrameChange::Rotate  ? 4
-                              : change == sema::FrameChange::Scale ? 7
-                                                                   : 3;
-    if (modal.lost != 0 && !require_frame(change == sema::FrameChange::Rotate, at)) return kFailed;
+    const auto change = static_cast<sema::WithFrame>(instruction.b);
+    const std::size_t count = change == sema::WithFrame::Rotate  ? 4
+                              : change == sema::WithFrame::Scale ? 7
+                                                                 : 3;
+    if (modal.lost != 0 && !require_frame(change == sema::WithFrame::Rotate, at)) return kFailed;
     std::array<double, 7> numbers{};
     std::array<bool, 7> is_given{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -100,11 +100,11 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
     const std::array<bool, 3> given{is_given[kX], is_given[kX + 1], is_given[kX + 2]};
     control::FrameSteps steps = modal.steps;
     switch (change) {
-        case sema::FrameChange::Shift: steps.shift_add(three(kX), given); break;
-        case sema::FrameChange::Rotate:
+        case sema::WithFrame::Shift: steps.shift_add(three(kX), given); break;
+        case sema::WithFrame::Rotate:
             steps.rotate(numbers[kAngle], modal[Group::Plane], three(kCenter));
             break;
-        case sema::FrameChange::Scale: {
+        case sema::WithFrame::Scale: {
             std::array<double, 3> factors{};
             for (std::size_t i = 0; i < 3; ++i) {
                 factors[i] = is_given[kOfX + i] ? numbers[kOfX + i]
@@ -115,7 +115,7 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
             steps.scale(factors, three(kCenter));
             break;
         }
-        case sema::FrameChange::Mirror: steps.mirror(given); break;
+        case sema::WithFrame::Mirror: steps.mirror(given); break;
     }
     const auto [next, why] = steps.frame();
     if (why != control::FrameFormFault::None) return refuse_frame(why, at);

@@ -52,7 +52,7 @@ class Heap {
         Object& object = objects_[index(array_handle)];
         return {object.slots.data(), object.count, object.stride};
     }
-    const sema::Layout& layout(std::int64_t array_handle) const {
+    const sema::ElementLayout& layout(std::int64_t array_handle) const {
         return code_.layouts[objects_[index(array_handle)].layout];
     }
     void append(std::int64_t array_handle, const Slot* element);

@@ -89,7 +89,7 @@ control::ProgramFrame frame_behind(control::FrameSteps steps, const sema::Plan& 
 
 /// Whether the block has words of axes.
 bool names_axes(const sema::Plan& plan, const Instruction& instruction) {
-    return (instruction.op == Op::Emit && instruction.b != 0) ||
+    return (instruction.op == OpCode::Emit && instruction.b != 0) ||
            (plan.given & nc::kTargetSlots) != 0 ||
            std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
                return !filling.is_argument && filling.index < kAxes;

@@ -42,7 +42,7 @@ struct Drift {
 };
 
 /// What is known of the tool's length beside the member of its group.
-struct ToolLength {
+struct KnownLength {
     std::optional<double> offset;  // of LengthCompOn, where it has one
     bool is_away = false;          // its axis is at a point of the machine that no length shifts
     bool has_ended = false;        // `D0` of a source that counts edges is in the text
@@ -52,7 +52,7 @@ struct ModalState {
     std::array<nc::Function, nc::kGroups> active{};  // None: not known
     std::array<SourceId, nc::kGroups> changed_by{};  // statement behind the present member
     double work_offset = 0;                          // parameter of WorkOffset
-    ToolLength length;
+    KnownLength length;
     double master_spindle = 1;  // whose sense M3, M4 and M5 are; 0: nobody knows
     bool has_feed = false;
     bool has_speed = false;

@@ -47,7 +47,7 @@ static Function standing_behind(const sema::Code& code, const sema::FunctionCode
     Function last = Function::None;
     for (std::uint32_t i = cycle.body; i < cycle.end; ++i) {
         const Instruction& instruction = code.instructions[i];
-        if (instruction.op != Op::Emit) continue;
+        if (instruction.op != OpCode::Emit) continue;
         const auto plan = static_cast<std::size_t>(instruction.immediate.pair.first);
         for (const nc::Invocation& invocation : code.plans[plan].functions)
             if (nc::info(invocation.function).group == Group::Spindle) last = invocation.function;

@@ -31,7 +31,7 @@
 namespace kadr::expand {
 
 using sema::Instruction;
-using sema::Op;
+using sema::OpCode;
 
 /// A call that has not returned yet.
 struct CallFrame {
@@ -275,7 +275,7 @@ struct Expander::State {
     Done require_between_positions(const sema::Plan& plan, const Instruction& instruction,
                                    std::uint32_t at);
     /// A block of a source that has cycles, with all its words: a position, or the end of the mode.
-    Done take_place(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+    Done take_position(nc::Block& block, const sema::Plan& plan, std::uint32_t at);
     void take_levels(nc::Block& block);
     /// `Q2.` or `P100` beside a position: the stroke or the dwell from here on.
     Done require_no_stroke(std::uint32_t at);
@@ -382,7 +382,7 @@ struct Expander::State {
     Done refuse_lost_state(std::string_view what, std::string_view fix, std::uint32_t at);
     void report_lost_position(DiagnosticBuilder& builder, std::size_t axis) const;
     void report_loss(DiagnosticBuilder builder, std::string_view what, std::string_view fix);
-    void say_again(nc::Block& block);
+    void put_again(nc::Block& block);
     void say_again_alone(SourceId source, std::uint32_t at, std::size_t depth);
     void warn_of_choice(DiagnosticBuilder builder);
     void say_diameter(nc::Block& block);
@@ -528,7 +528,7 @@ struct Expander::State {
     std::deque<nc::Block> waiting;  // made by one instruction beyond the end of a batch
 
     std::vector<std::uint64_t> loop_counts;  // only with a trace
-    std::deque<Trace> traces;                // of the batch and of what waits
+    std::deque<BlockOrigin> traces;          // of the batch and of what waits
     std::size_t delivered = 0;               // traces of the batch before
 };
 

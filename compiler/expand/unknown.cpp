@@ -275,7 +275,7 @@ Done Expander::State::require_speed_mode(std::uint32_t at) {
 
 // ---------------------------------------------------------------- what is written again
 
-void Expander::State::say_again(Block& block) {
+void Expander::State::put_again(Block& block) {
     const auto say_mode = [&](Group group) {
         if ((modal.restate & group_bit(group)) == 0 || has_group(block, group)) return;
         if (modal[group] != Function::None) block.add(modal[group]);
@@ -294,7 +294,7 @@ void Expander::State::say_again(Block& block) {
 /// … in a block of its own, before a cycle that the control has itself.
 void Expander::State::say_again_alone(SourceId source, std::uint32_t at, std::size_t depth) {
     Block& block = next_block(source);
-    say_again(block);
+    put_again(block);
     if (block.function_count == 0 && block.given == 0) return drop_block(block);
     if (options.trace) keep_trace(at, static_cast<unsigned>(depth), source);
 }
@@ -327,7 +327,7 @@ Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
     if (modal.lost != 0 && !require_state(block, at)) return kFailed;
     if (!recordings.empty() || !moves(block) || !nc::has_fact(modal[Group::Motion], nc::Fact::Cut))
         return kDone;
-    if (modal.restate != 0) say_again(block);
+    if (modal.restate != 0) put_again(block);
     if (modal.spindle_in_doubt && modal.reported.first_time(ProgramNotice::SpindleInDoubt))
         warn_of_choice(fault(diag::SpindleInDoubt, at));
     return kDone;

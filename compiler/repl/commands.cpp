@@ -216,7 +216,7 @@ struct Commands {
         if (what.empty()) return prompt.write(numbered(prompt.program_of(prompt.transcript_)));
         if (what != "iso") return wrong("`:list` shows the program, `:list iso` the text");
         const std::uint32_t lines = std::exchange(prompt.now_.lines, 0);
-        const Outcome all = prompt.evaluate(prompt.transcript_);
+        const ReplayOutcome all = prompt.evaluate(prompt.transcript_);
         prompt.show_lines(all);
         prompt.now_.lines = lines;
     }
@@ -302,12 +302,12 @@ struct Commands {
 
 namespace {
 
-struct Row {
+struct CommandEntry {
     CommandRow row;
     void (Commands::*run)(std::string_view);
 };
 
-constexpr Row kRows[] = {
+constexpr CommandEntry kRows[] = {
     {{"help", "", "what can be typed"}, &Commands::help},
     {{"dialect", "[NAME]", "the control that the text is for"}, &Commands::dialect},
     {{"machine", "[NAME]", "the machine that executes it"}, &Commands::machine},
@@ -328,7 +328,7 @@ constexpr Row kRows[] = {
 
 std::vector<CommandRow> command_table() {
     std::vector<CommandRow> rows;
-    for (const Row& row : kRows) rows.push_back(row.row);
+    for (const CommandEntry& row : kRows) rows.push_back(row.row);
     return rows;
 }
 
@@ -337,9 +337,9 @@ void Prompt::command(std::string_view text) {
     const std::string_view name = trimmed(text.substr(0, end));
     const std::string_view argument = trimmed(text.substr(end));
     // A beginning that is no other command's will do: `:h`.
-    const Row* found = nullptr;
+    const CommandEntry* found = nullptr;
     int matches = 0;
-    for (const Row& row : kRows) {
+    for (const CommandEntry& row : kRows) {
         if (row.row.name == name) {
             found = &row;
             matches = 1;

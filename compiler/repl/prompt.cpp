@@ -85,7 +85,7 @@ void Prompt::take_input(std::string text) {
     if (input.kind == Input::Kind::Wrong || is_late) input.kind = Input::Kind::Statement;
     Transcript longer = transcript_;
     longer.add(input);
-    Outcome outcome = evaluate(longer);
+    ReplayOutcome outcome = evaluate(longer);
     if (!outcome.is_ok) {
         has_failed_ = true;
         return write(outcome.messages);
@@ -97,7 +97,7 @@ void Prompt::take_input(std::string text) {
     keep(std::move(input), std::move(outcome));
 }
 
-void Prompt::keep(Input input, Outcome outcome) {
+void Prompt::keep(Input input, ReplayOutcome outcome) {
     write(outcome.messages);
     transcript_.add(std::move(input));
     if (is_stepping_) step_lines(outcome);
@@ -107,14 +107,14 @@ void Prompt::keep(Input input, Outcome outcome) {
     now_ = std::move(outcome);
 }
 
-void Prompt::show_values(const Outcome& outcome) const {
+void Prompt::show_values(const ReplayOutcome& outcome) const {
     for (const std::string& value : outcome.values) write(value + '\n');
 }
 
 std::string Prompt::value_of(const std::string& variable) {
     Transcript longer = transcript_;
     longer.add({Input::Kind::Value, variable + ';'});
-    const Outcome outcome = evaluate(longer);
+    const ReplayOutcome outcome = evaluate(longer);
     return outcome.is_ok && !outcome.values.empty() ? outcome.values.front() : "…";
 }
 
@@ -123,7 +123,7 @@ std::string Prompt::program_of(const Transcript& transcript) const {
     return transcript.program(program_word(quiet.session(), transcript.headers()));
 }
 
-Outcome Prompt::evaluate(const Transcript& transcript) {
+ReplayOutcome Prompt::evaluate(const Transcript& transcript) {
     ReplayRequest request;
     request.program = program_of(transcript);
     request.known_lines = now_.lines;
@@ -161,7 +161,7 @@ Done Prompt::refresh() {
     return kFailed;
 }
 
-void Prompt::show_change(const Outcome& before, const Outcome& after) {
+void Prompt::show_change(const ReplayOutcome& before, const ReplayOutcome& after) {
     std::string text;
     if (after.position != before.position) text += "at" + position_text(after.position);
     if (const std::string changed = changes(before.state, after.state); !changed.empty()) {
@@ -172,7 +172,7 @@ void Prompt::show_change(const Outcome& before, const Outcome& after) {
     if (!text.empty()) write("    " + text + '\n');
 }
 
-void Prompt::show_lines(const Outcome& outcome) {
+void Prompt::show_lines(const ReplayOutcome& outcome) {
     const std::uint32_t all = outcome.lines - now_.lines;
     const std::size_t head = all > 24 ? 18 : all;
     for (std::size_t i = 0; i < std::min(head, outcome.first.size()); ++i) {
@@ -189,7 +189,7 @@ void Prompt::show_lines(const Outcome& outcome) {
     }
 }
 
-void Prompt::step_lines(const Outcome& outcome) {
+void Prompt::step_lines(const ReplayOutcome& outcome) {
     for (const TextLine& line : outcome.first) {
         write(line.text + '\n');
         if (!line.done.empty()) write("    " + line.done + '\n');

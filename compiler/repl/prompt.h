@@ -67,18 +67,18 @@ class Prompt {
     friend struct Commands;
 
     void take_input(std::string text);
-    void show_values(const Outcome& outcome) const;
+    void show_values(const ReplayOutcome& outcome) const;
     std::string value_of(const std::string& variable);
-    void keep(Input input, Outcome outcome);
+    void keep(Input input, ReplayOutcome outcome);
     /// The program that the inputs amount to.
     std::string program_of(const Transcript& transcript) const;
-    Outcome evaluate(const Transcript& transcript);
+    ReplayOutcome evaluate(const Transcript& transcript);
     /// Takes back so many inputs.
     void undo(std::size_t count);
     Done refresh();
-    void show_change(const Outcome& before, const Outcome& after);
-    void show_lines(const Outcome& outcome);
-    void step_lines(const Outcome& outcome);
+    void show_change(const ReplayOutcome& before, const ReplayOutcome& after);
+    void show_lines(const ReplayOutcome& outcome);
+    void step_lines(const ReplayOutcome& outcome);
     void command(std::string_view text);
     void write(std::string_view text) const { surroundings_.write(text); }
 
@@ -87,7 +87,7 @@ class Prompt {
     Surroundings surroundings_;
     const std::atomic<bool>* stop_;
     Transcript transcript_;
-    Outcome now_;  // of the whole transcript
+    ReplayOutcome now_;  // of the whole transcript
     std::string pending_;
     std::set<std::string> written_;
     std::vector<std::string> allowed_;  // folders of files that were loaded

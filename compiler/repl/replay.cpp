@@ -46,7 +46,7 @@ std::string without_lines(std::string_view message) {
 /// What a person reads of the messages of one evaluation.
 class Hearing {
   public:
-    Hearing(Outcome& outcome, std::vector<std::string> words)
+    Hearing(ReplayOutcome& outcome, std::vector<std::string> words)
         : outcome_(outcome), messages_(std::move(words)) {}
 
     void take(std::string_view rendered) {
@@ -60,14 +60,14 @@ class Hearing {
     }
 
   private:
-    Outcome& outcome_;
+    ReplayOutcome& outcome_;
     std::vector<std::string> messages_;
 };
 
 /// Cuts the text into lines and keeps those that are wanted.
 class LineKeeper {
   public:
-    LineKeeper(Outcome& outcome, std::uint32_t known) : outcome_(outcome), known_(known) {}
+    LineKeeper(ReplayOutcome& outcome, std::uint32_t known) : outcome_(outcome), known_(known) {}
 
     void take(std::string_view piece) {
         for (const char c : piece) {
@@ -106,7 +106,7 @@ class LineKeeper {
         if (outcome_.last.size() > kLastLines + 16) outcome_.last.pop_front();
     }
 
-    Outcome& outcome_;
+    ReplayOutcome& outcome_;
     std::uint32_t known_;
     std::uint32_t number_ = 0;
     std::string line_;
@@ -169,7 +169,7 @@ std::string command_text(const path::Command& command) {
     return "";
 }
 
-void list_names(const sema::Code& code, Outcome& outcome) {
+void list_names(const sema::Code& code, ReplayOutcome& outcome) {
     for (const sema::FunctionCode& function : code.functions) {
         if (function.kind == sema::FunctionKind::Startup || function.name == "prompt") continue;
         outcome.names.push_back(function.name);
@@ -179,7 +179,7 @@ void list_names(const sema::Code& code, Outcome& outcome) {
     }
 }
 
-void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper) {
+void execute(driver::Execution& execution, ReplayOutcome& outcome, LineKeeper& keeper) {
     driver::CommandTap tap(execution, [&](const path::Command& command) {
         keeper.done(command.line, command_text(command));
     });
@@ -205,9 +205,9 @@ void execute(driver::Execution& execution, Outcome& outcome, LineKeeper& keeper)
 
 }  // namespace
 
-Outcome replay(const driver::Options& options, const driver::Share& share,
-               const ReplayRequest& request, std::vector<std::string> words) {
-    Outcome outcome;
+ReplayOutcome replay(const driver::Options& options, const driver::Share& share,
+                     const ReplayRequest& request, std::vector<std::string> words) {
+    ReplayOutcome outcome;
     Hearing hearing(outcome, std::move(words));
     Sources sources;
     driver::Messages messages(sources, {}, [&](std::string_view text) { hearing.take(text); });

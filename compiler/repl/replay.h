@@ -23,7 +23,7 @@ struct TextLine {
 };
 
 /// What an evaluation came to.
-struct Outcome {
+struct ReplayOutcome {
     bool is_ok = false;           // no error and no alarm
     std::string messages;         // rendered; those that were seen before are left out
     std::uint32_t lines = 0;      // of the text up to the last block; the frame's end not counted
@@ -52,7 +52,7 @@ inline constexpr std::size_t kLastLines = 5;
 
 /// Evaluates the whole program. Nothing of it outlives the call but the outcome. What has been
 /// `text` of it before is not shown again.
-Outcome replay(const driver::Options& options, const driver::Share& share,
-               const ReplayRequest& request, std::vector<std::string> text);
+ReplayOutcome replay(const driver::Options& options, const driver::Share& share,
+                     const ReplayRequest& request, std::vector<std::string> text);
 
 }  // namespace kadr::repl

@@ -56,9 +56,9 @@ class Dots {
     std::vector<unsigned char> cells_;
 };
 
-class Pen {
+class SketchPen {
   public:
-    Pen(Dots& dots, const driver::Box& box, double dots_per_mm, long height)
+    SketchPen(Dots& dots, const driver::SceneBox& box, double dots_per_mm, long height)
         : dots_(dots), box_(box), scale_(dots_per_mm), height_(height) {}
 
     void line(const Vec3& from, const Vec3& to, bool is_rapid) {
@@ -79,7 +79,7 @@ class Pen {
     }
 
     Dots& dots_;
-    const driver::Box& box_;
+    const driver::SceneBox& box_;
     double scale_;
     long height_;
 };
@@ -87,7 +87,7 @@ class Pen {
 }  // namespace
 
 std::string sketch(const driver::PlotScene& scene, std::size_t columns) {
-    driver::Box box = scene.feed_box();
+    driver::SceneBox box = scene.feed_box();
     if (box.is_empty()) box = scene.rapid_box();
     if (box.is_empty()) return "nothing has moved\n";
     columns = std::clamp<std::size_t>(columns, 20, 100);
@@ -102,7 +102,7 @@ std::string sketch(const driver::PlotScene& scene, std::size_t columns) {
     const auto rows = static_cast<std::size_t>(std::ceil((height * scale + 1) / 4));
     const auto used = static_cast<std::size_t>(std::ceil((width * scale + 1) / 2));
     Dots dots(std::max<std::size_t>(used, 1), std::max<std::size_t>(rows, 1));
-    Pen pen(dots, box, scale, static_cast<long>(4 * std::max<std::size_t>(rows, 1)));
+    SketchPen pen(dots, box, scale, static_cast<long>(4 * std::max<std::size_t>(rows, 1)));
     Vec3 at = Vec3::Zero();
     bool has_begun = false;
     for (const PlotPiece& piece : scene.pieces()) {

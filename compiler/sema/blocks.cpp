@@ -361,17 +361,17 @@ Filling Checker::fill_feed(const Value& value, const Word& word, Reg reg) {
     const TypeInfo info = type_info(value.type);
     filling.factor = units_ == Units::Inch ? 25.4 : 1.0;
     Value out = value;
-    if (info.kind == Kind::Int || (info.kind == Kind::Real && info.quantity.is_number())) {
+    if (info.kind == TypeKind::Int || (info.kind == TypeKind::Real && info.quantity.is_number())) {
         filling.form = Filling::Form::FeedBare;
         out = to_real(value);
-    } else if (info.kind == Kind::Feed && info.quantity.is_number()) {
+    } else if (info.kind == TypeKind::Feed && info.quantity.is_number()) {
         filling.form = Filling::Form::Feed;
-    } else if (info.kind == Kind::Real && info.quantity == kFeedPerTime) {
+    } else if (info.kind == TypeKind::Real && info.quantity == kFeedPerTime) {
         filling.form = Filling::Form::FeedPerTime;
-    } else if (info.kind == Kind::Real &&
+    } else if (info.kind == TypeKind::Real &&
                (info.quantity == kFeedPerTurn || info.quantity == kLength)) {
         filling.form = Filling::Form::FeedPerTurn;
-    } else if (info.kind == Kind::Real && info.quantity == kPerTime) {
+    } else if (info.kind == TypeKind::Real && info.quantity == kPerTime) {
         filling.form = Filling::Form::FeedInverse;
     } else {
         out = convert(value, types::kFeed, word.range, text(word.address));
@@ -387,17 +387,17 @@ Filling Checker::fill_speed(const Value& value, const Word& word, Reg reg) {
     // Cutting speed is m/min, in an inch file ft/min.
     filling.factor = units_ == Units::Inch ? 0.3048 : 1.0;
     Value out = value;
-    if (info.kind == Kind::Int || (info.kind == Kind::Real && info.quantity.is_number())) {
+    if (info.kind == TypeKind::Int || (info.kind == TypeKind::Real && info.quantity.is_number())) {
         filling.form = Filling::Form::SpeedBare;
         out = to_real(value);
-    } else if (info.kind == Kind::Speed && info.quantity.is_number()) {
+    } else if (info.kind == TypeKind::Speed && info.quantity.is_number()) {
         filling.form = Filling::Form::Speed;
-    } else if (info.kind == Kind::Real &&
+    } else if (info.kind == TypeKind::Real &&
                (info.quantity == kSpindleSpeed || info.quantity == kPerTime)) {
         filling.form = Filling::Form::SpeedPerTime;
-    } else if (info.kind == Kind::Real && info.quantity == kFeedPerTime) {
+    } else if (info.kind == TypeKind::Real && info.quantity == kFeedPerTime) {
         filling.form = Filling::Form::SpeedCutting;
-    } else if (info.kind == Kind::Feed && info.quantity.is_number()) {
+    } else if (info.kind == TypeKind::Feed && info.quantity.is_number()) {
         filling.form = Filling::Form::SpeedCutting;
         out = plain_form(value, 0);
     } else {
@@ -431,7 +431,7 @@ Filling Checker::fill_value(const Value& value, nc::Dimension dimension, const S
             out.constant.number *= per_minute;
         } else if (!is_error(out)) {
             const Reg scaled = emit_.take(1);
-            emit_.emit_number(Op::MulFK, scaled, out.reg, per_minute);
+            emit_.emit_number(OpCode::MulFK, scaled, out.reg, per_minute);
             out.reg = scaled;
         }
     }
@@ -455,13 +455,13 @@ Filling Checker::fill_literal(const Word& word, const nc::Hole& hole, Reg reg) {
         if (word.number != std::trunc(word.number))
             report(diag::WordNotWhole, word.range).arg(word_text(word));
         filling.form = Filling::Form::Count;
-        emit_.emit_integer(Op::LoadI, reg, 0,
+        emit_.emit_integer(OpCode::LoadI, reg, 0,
                            static_cast<std::int64_t>(word.number * hole.factor + hole.offset));
         return filling;
     }
     const double units =
         hole.dimension == nc::Dimension::Length && units_ == Units::Inch ? 25.4 : 1.0;
-    emit_.emit_number(Op::LoadF, reg, 0, (word.number * hole.factor + hole.offset) * units);
+    emit_.emit_number(OpCode::LoadF, reg, 0, (word.number * hole.factor + hole.offset) * units);
     return filling;
 }
 
@@ -492,12 +492,12 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
     const bool is_x = !hole.is_argument && hole.index == static_cast<std::uint8_t>(nc::Slot::X);
     if (!is_x && !require_no_diameter(value, value_range, what)) return filling;
     const TypeInfo info = type_info(value.type);
-    if (info.kind == Kind::Bool) {
+    if (info.kind == TypeKind::Bool) {
         convert(value, types_.real(quantity_of(hole.dimension)), word.range, what);
         return filling;
     }
-    const bool is_bare = !has_unit && (info.kind == Kind::Int ||
-                                       (info.kind == Kind::Real && info.quantity.is_number()));
+    const bool is_bare = !has_unit && (info.kind == TypeKind::Int ||
+                                       (info.kind == TypeKind::Real && info.quantity.is_number()));
     // X takes it as it stands: the filling tells that it goes across.
     const Value measure = info.is_diameter ? retyped(value, types::kLengthType) : value;
     filling = fill_value(measure, hole.dimension, word.range, what, reg);
@@ -506,11 +506,12 @@ Filling Checker::fill_computed(const Value& source, const Word& word, const nc::
         hole.dimension == nc::Dimension::Length && units_ == Units::Inch ? 25.4 : 1.0;
     const double offset = hole.offset * (is_bare ? units : 1.0);
     if (filling.form == Filling::Form::Count) {
-        if (offset != 0) emit_.emit_integer(Op::AddIK, reg, reg, static_cast<std::int64_t>(offset));
+        if (offset != 0)
+            emit_.emit_integer(OpCode::AddIK, reg, reg, static_cast<std::int64_t>(offset));
         return filling;
     }
-    if (factor != 1) emit_.emit_number(Op::MulFK, reg, reg, factor);
-    if (offset != 0) emit_.emit_number(Op::AddFK, reg, reg, offset);
+    if (factor != 1) emit_.emit_number(OpCode::MulFK, reg, reg, factor);
+    if (offset != 0) emit_.emit_number(OpCode::AddFK, reg, reg, offset);
     if (is_x && info.is_diameter) filling.form = Filling::Form::Diameter;
     return filling;
 }
@@ -555,7 +556,7 @@ Filling Checker::fill_word(const Word& word, const nc::Hole& hole, Reg reg) {
                 .arg(*quoted)
                 .fix("give the number that the tool has on the machine: `T=3`");
         }
-        emit_.emit_integer(Op::LoadI, reg, 0, number.value_or(0));
+        emit_.emit_integer(OpCode::LoadI, reg, 0, number.value_or(0));
     } else if (word.form == Word::Form::Literal) {
         filling = fill_literal(word, hole, reg);
     } else {
@@ -694,7 +695,7 @@ std::uint32_t Checker::plan_constant(Plan plan) {
 void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange& range) {
     if (is_in_test() && contour_depth_ == 0) report_test_block(range);
     const std::uint32_t index = plan_constant(std::move(plan));
-    emit_.emit_pair(Op::Emit, first, point, static_cast<unsigned>(loop_depth_), index,
+    emit_.emit_pair(OpCode::Emit, first, point, static_cast<unsigned>(loop_depth_), index,
                     statement_id(range));
 }
 
@@ -704,7 +705,7 @@ Value Checker::target_value(ExprId point, std::span<const Word> words) {
     target_ = range;
     const Value value = expression(point, types::kPoint);
     target_ = {};
-    const bool is_number = types_.is_numeric(value.type) && kind(value.type) != Kind::Error;
+    const bool is_number = types_.is_numeric(value.type) && kind(value.type) != TypeKind::Error;
     const bool is_behind_value = !words.empty() && words.back().form != Word::Form::Literal &&
                                  words.back().form != Word::Form::Bare;
     if (is_number && is_behind_value) {

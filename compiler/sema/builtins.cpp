@@ -69,7 +69,7 @@ Value Checker::math_value(Math function, const Value& a, Type type, const Source
         return constant_number(*result, type);
     }
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-    emit_.emit(Op::Math1, reg, a.reg, static_cast<unsigned>(function));
+    emit_.emit(OpCode::Math1, reg, a.reg, static_cast<unsigned>(function));
     return in_registers(type, reg);
 }
 
@@ -86,7 +86,7 @@ Value Checker::math_value(Math function, const Value& a, const Value& b, Type ty
     const Reg x = in_register(a);
     const Reg y = in_register(b);
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-    emit_.emit_pair(Op::Math2, reg, x, y, static_cast<std::int64_t>(function));
+    emit_.emit_pair(OpCode::Math2, reg, x, y, static_cast<std::int64_t>(function));
     return in_registers(type, reg);
 }
 
@@ -97,7 +97,7 @@ Value Checker::math_call(Math function, const Expr& expr, std::string_view name,
     if (!argument) return error_value();
     const bool keeps = function == Math::Abs;
     const bool any = keeps || function == Math::Sign;
-    if (kind(argument->type) == Kind::Int && any) {
+    if (kind(argument->type) == TypeKind::Int && any) {
         if (argument->is_constant()) {
             const std::int64_t n = argument->constant.integer;
             const std::optional<std::int64_t> amount = magnitude(n);
@@ -108,17 +108,17 @@ Value Checker::math_call(Math function, const Expr& expr, std::string_view name,
             return constant_integer(keeps ? *amount : (n > 0) - (n < 0), types::kInt);
         }
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-        emit_.emit_pair(Op::MathI, reg, argument->reg, 0, static_cast<std::int64_t>(function));
+        emit_.emit_pair(OpCode::MathI, reg, argument->reg, 0, static_cast<std::int64_t>(function));
         return in_registers(types::kInt, reg);
     }
     const Value value = to_real(*argument);
     const Quantity quantity = type_info(value.type).quantity;
-    const bool is_plain = kind(value.type) == Kind::Real && quantity.is_number();
+    const bool is_plain = kind(value.type) == TypeKind::Real && quantity.is_number();
     if (!any && !is_plain) {
         report(diag::DimensionMismatch, ast()[item].range)
             .arg(quoted(name))
             .arg("number")
-            .arg(kind(value.type) == Kind::Real ? describe(quantity) : type_name(value.type));
+            .arg(kind(value.type) == TypeKind::Real ? describe(quantity) : type_name(value.type));
         return error_value();
     }
     if (function == Math::Sign) {
@@ -126,7 +126,7 @@ Value Checker::math_call(Math function, const Expr& expr, std::string_view name,
         if (is_error(result)) return result;
         if (result.is_constant())
             return constant_integer(static_cast<std::int64_t>(result.constant.number), types::kInt);
-        emit_.emit(Op::ToInt, result.reg, result.reg, static_cast<unsigned>(Rounding::Trunc));
+        emit_.emit(OpCode::ToInt, result.reg, result.reg, static_cast<unsigned>(Rounding::Trunc));
         return in_registers(types::kInt, result.reg);
     }
     const bool gives_angle =
@@ -135,7 +135,7 @@ Value Checker::math_call(Math function, const Expr& expr, std::string_view name,
     return math_value(function, value, type, expr.range, hint);
 }
 
-Value Checker::trigonometric(Op op, const Expr& expr, std::string_view name, Reg hint) {
+Value Checker::trigonometric(OpCode op, const Expr& expr, std::string_view name, Reg hint) {
     if (!require_argument_count(expr, name, 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const std::optional<Value> argument = numeric_argument(item, name);
@@ -143,10 +143,10 @@ Value Checker::trigonometric(Op op, const Expr& expr, std::string_view name, Reg
     // A bare number is degrees, as on every control.
     const Value angle = convert(*argument, types::kAngleType, ast()[item].range, name);
     if (is_error(angle)) return angle;
-    if (op == Op::Math1) return math_value(Math::TanDeg, angle, types::kReal, expr.range, hint);
+    if (op == OpCode::Math1) return math_value(Math::TanDeg, angle, types::kReal, expr.range, hint);
     if (angle.is_constant()) {
         return constant_number(
-            op == Op::SinDeg ? sin_deg(angle.constant.number) : cos_deg(angle.constant.number),
+            op == OpCode::SinDeg ? sin_deg(angle.constant.number) : cos_deg(angle.constant.number),
             types::kReal);
     }
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
@@ -162,11 +162,11 @@ Value Checker::root_call(int degree, const Expr& expr, std::string_view name) {
     if (!argument) return error_value();
     const Value value = to_real(*argument);
     const std::optional<Quantity> quantity = root(type_info(value.type).quantity, degree);
-    if (kind(value.type) != Kind::Real || !quantity) {
+    if (kind(value.type) != TypeKind::Real || !quantity) {
         report(diag::RootOfQuantity, ast()[item].range)
             .arg(degree == 2 ? "square" : "cube")
-            .arg(kind(value.type) == Kind::Real ? describe(type_info(value.type).quantity)
-                                                : type_name(value.type));
+            .arg(kind(value.type) == TypeKind::Real ? describe(type_info(value.type).quantity)
+                                                    : type_name(value.type));
         return error_value();
     }
     const Type type = types_.real(*quantity);
@@ -179,7 +179,7 @@ Value Checker::root_call(int degree, const Expr& expr, std::string_view name) {
         return constant_number(std::sqrt(value.constant.number), type);
     }
     const Reg reg = emit_.take(1);
-    emit_.emit(Op::Sqrt, reg, value.reg);
+    emit_.emit(OpCode::Sqrt, reg, value.reg);
     return in_registers(type, reg);
 }
 
@@ -192,7 +192,7 @@ Value Checker::power_call(const Expr& expr) {
     const Value a = to_real(*base);
     const Value b = to_real(*exponent);
     const auto is_plain = [&](const Value& v) {
-        return kind(v.type) == Kind::Real && type_info(v.type).quantity.is_number();
+        return kind(v.type) == TypeKind::Real && type_info(v.type).quantity.is_number();
     };
     if (!is_plain(b)) {
         report(diag::DimensionMismatch, ast()[arguments[1]].range)
@@ -207,7 +207,7 @@ Value Checker::power_call(const Expr& expr) {
         const bool is_whole = b.is_constant() &&
                               b.constant.number == std::trunc(b.constant.number) &&
                               std::fabs(b.constant.number) <= 8;
-        if (!is_whole || kind(a.type) != Kind::Real) {
+        if (!is_whole || kind(a.type) != TypeKind::Real) {
             report(diag::PowerOfQuantity, expr.range).arg(type_name(a.type));
             return error_value();
         }
@@ -222,15 +222,15 @@ Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view 
     const std::optional<Value> argument = numeric_argument(arguments[0], name);
     if (!argument) return error_value();
     const bool is_plain =
-        kind(argument->type) == Kind::Real && type_info(argument->type).quantity.is_number();
-    if (kind(argument->type) == Kind::Feed || kind(argument->type) == Kind::Speed) {
+        kind(argument->type) == TypeKind::Real && type_info(argument->type).quantity.is_number();
+    if (kind(argument->type) == TypeKind::Feed || kind(argument->type) == TypeKind::Speed) {
         report(diag::OperandType, ast()[arguments[0]].range)
             .arg(name)
             .arg(type_name(argument->type));
         return error_value();
     }
     if (arguments.size() == 1) {
-        if (kind(argument->type) == Kind::Int) return *argument;
+        if (kind(argument->type) == TypeKind::Int) return *argument;
         if (is_plain) {
             if (argument->is_constant()) {
                 const std::optional<std::int64_t> whole =
@@ -242,7 +242,7 @@ Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view 
                 return constant_integer(*whole, types::kInt);
             }
             const Reg reg = emit_.take(1);
-            emit_.emit(Op::ToInt, reg, argument->reg, static_cast<unsigned>(rounding));
+            emit_.emit(OpCode::ToInt, reg, argument->reg, static_cast<unsigned>(rounding));
             return in_registers(types::kInt, reg);
         }
     }
@@ -264,7 +264,7 @@ Value Checker::round_call(Rounding rounding, const Expr& expr, std::string_view 
         return constant_number(round_to_unit(value.constant.number, rounding, unit), value.type);
     }
     const Reg reg = emit_.take(1);
-    emit_.emit_number(Op::RoundF, reg, value.reg, unit, static_cast<unsigned>(rounding));
+    emit_.emit_number(OpCode::RoundF, reg, value.reg, unit, static_cast<unsigned>(rounding));
     return in_registers(value.type, reg);
 }
 
@@ -278,7 +278,7 @@ Value Checker::extreme(Math function, const Expr& expr, std::string_view name) {
         if (!next) return error_value();
         Value left = *result;
         Value right = *next;
-        if (kind(left.type) == Kind::Int && kind(right.type) == Kind::Int) {
+        if (kind(left.type) == TypeKind::Int && kind(right.type) == TypeKind::Int) {
             if (left.is_constant() && right.is_constant()) {
                 const bool first = function == Math::Min
                                        ? left.constant.integer < right.constant.integer
@@ -289,18 +289,19 @@ Value Checker::extreme(Math function, const Expr& expr, std::string_view name) {
             const Reg x = in_register(left);
             const Reg y = in_register(right);
             const Reg reg = emit_.take(1);
-            emit_.emit_pair(Op::MathI, reg, x, y, static_cast<std::int64_t>(function));
+            emit_.emit_pair(OpCode::MathI, reg, x, y, static_cast<std::int64_t>(function));
             result = in_registers(types::kInt, reg);
             continue;
         }
         if (!match_quantities(left, right, expr)) return error_value();
-        const bool is_family = kind(left.type) == Kind::Feed || kind(left.type) == Kind::Speed;
+        const bool is_family =
+            kind(left.type) == TypeKind::Feed || kind(left.type) == TypeKind::Speed;
         left = to_real(left);
         right = to_real(right);
         if (is_family && !(left.is_constant() && right.is_constant())) {
             left = in_registers(left.type, in_register(left));
             right = in_registers(right.type, in_register(right));
-            emit_.emit(Op::SameForm, left.reg, right.reg);
+            emit_.emit(OpCode::SameForm, left.reg, right.reg);
         }
         result = math_value(function, left, right, left.type, expr.range, kNoReg);
         if (is_error(*result)) return *result;
@@ -341,9 +342,9 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
             return math_call(row.function, expr, name, hint);
         }
     }
-    if (name == "sin") return trigonometric(Op::SinDeg, expr, name, hint);
-    if (name == "cos") return trigonometric(Op::CosDeg, expr, name, hint);
-    if (name == "tan") return trigonometric(Op::Math1, expr, name, hint);
+    if (name == "sin") return trigonometric(OpCode::SinDeg, expr, name, hint);
+    if (name == "cos") return trigonometric(OpCode::CosDeg, expr, name, hint);
+    if (name == "tan") return trigonometric(OpCode::Math1, expr, name, hint);
     if (name == "sqrt") return root_call(2, expr, name);
     if (name == "cbrt") return root_call(3, expr, name);
     if (name == "pow") return power_call(expr);
@@ -363,8 +364,8 @@ std::optional<Value> Checker::builtin(std::string_view name, const Expr& expr, R
         Value left = to_real(*a);
         Value right = to_real(*b);
         if (!match_quantities(left, right, expr)) return error_value();
-        if (kind(left.type) != Kind::Real) left = plain_form(left, 0);
-        if (kind(right.type) != Kind::Real) right = plain_form(right, 0);
+        if (kind(left.type) != TypeKind::Real) left = plain_form(left, 0);
+        if (kind(right.type) != TypeKind::Real) right = plain_form(right, 0);
         const bool is_angle = name == "atan2";
         return math_value(is_angle ? Math::Atan2Deg : Math::Hypot, left, right,
                           is_angle ? types::kAngleType : left.type, expr.range, hint);
@@ -410,7 +411,7 @@ Value Checker::length_as(Type type, const Expr& expr, std::string_view name) {
     const std::optional<Value> value = numeric_argument(item, name);
     if (!value) return error_value();
     const bool is_length =
-        kind(value->type) == Kind::Real && type_info(value->type).quantity == kLength;
+        kind(value->type) == TypeKind::Real && type_info(value->type).quantity == kLength;
     if (is_length) return retyped(*value, type);
     return convert(*value, type, ast()[item].range, name);
 }
@@ -423,18 +424,18 @@ Value Checker::distance_call(const Expr& expr) {
     const Reg b = expression_in(arguments[1], types::kPoint, kNoReg, "the second point");
     check_same_parts(a, arguments[0], b, arguments[1]);
     Label any;
-    emit_.jump(Op::JumpIf, any, is_given(in_registers(types::kPoint, a)).reg);
-    emit_.emit_pair(Op::CheckGiven, a, 0, static_cast<unsigned>(SlotKind::Number),
+    emit_.jump(OpCode::JumpIf, any, is_given(in_registers(types::kPoint, a)).reg);
+    emit_.emit_pair(OpCode::CheckGiven, a, 0, static_cast<unsigned>(SlotKind::Number),
                     text_constant(sources_.text(ast()[arguments[0]].range)));
     emit_.bind(any);
     const Reg sum = emit_.take(1);
     const Reg part = emit_.take(1);
-    emit_.emit_number(Op::LoadF, sum, 0, 0);
+    emit_.emit_number(OpCode::LoadF, sum, 0, 0);
     for (unsigned i = 0; i < 3; ++i) {
         Label next;
-        emit_.jump(Op::JumpNotGiven, next, a + i, 0, static_cast<unsigned>(SlotKind::Number));
-        emit_.emit(Op::SubF, part, a + i, b + i);
-        emit_.emit_pair(Op::Math2, sum, sum, part, static_cast<std::int64_t>(Math::Hypot));
+        emit_.jump(OpCode::JumpNotGiven, next, a + i, 0, static_cast<unsigned>(SlotKind::Number));
+        emit_.emit(OpCode::SubF, part, a + i, b + i);
+        emit_.emit_pair(OpCode::Math2, sum, sum, part, static_cast<std::int64_t>(Math::Hypot));
         emit_.bind(next);
     }
     return in_registers(types::kLengthType, sum);

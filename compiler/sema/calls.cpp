@@ -200,7 +200,7 @@ void Checker::pass_argument(const ParameterDecl& parameter, ExprId argument, Reg
         if (found->type != parameter.type) {
             check_places(found->type, parameter.type, range, parameter.name);
         } else {
-            emit_.emit(Op::Move, target, reference_to(*found));
+            emit_.emit(OpCode::Move, target, reference_to(*found));
             note_assignment(*found);
         }
     }
@@ -246,7 +246,7 @@ Value Checker::call_function(std::uint32_t index, const Expr& expr) {
         }
     }
     emit_.set_location(expr.range);
-    emit_.emit_pair(Op::Call, first, index + 1, static_cast<unsigned>(loop_depth_),
+    emit_.emit_pair(OpCode::Call, first, index + 1, static_cast<unsigned>(loop_depth_),
                     statement_id(expr.range), static_cast<std::int32_t>(given));
     Value value = in_registers(function.result, first);
     value.is_fresh = true;
@@ -263,13 +263,13 @@ std::optional<Value> Checker::named_axis(const nc::FunctionInfo& info,
     const bool names = parameter.dimension == nc::Dimension::Length &&
                        nc::has_fact(info.function, nc::Fact::NamesAxes);
     if (!names || is_error(value)) return value;
-    if (value.is_constant() && kind(value.type) == Kind::Bool) {
+    if (value.is_constant() && kind(value.type) == TypeKind::Bool) {
         if (value.constant.integer == 0) return std::nullopt;
         return constant_number(0, types::kReal);
     }
-    const bool is_zero =
-        value.is_constant() && types_.is_numeric(value.type) &&
-        (kind(value.type) == Kind::Int ? value.constant.integer == 0 : value.constant.number == 0);
+    const bool is_zero = value.is_constant() && types_.is_numeric(value.type) &&
+                         (kind(value.type) == TypeKind::Int ? value.constant.integer == 0
+                                                            : value.constant.number == 0);
     if (is_zero || !nc::has_fact(info.function, nc::Fact::Mirrors)) return value;
     report(diag::MirrorPlace, range)
         .arg(parameter.name)
@@ -337,10 +337,10 @@ Value Checker::call_vocabulary(const nc::FunctionInfo& info, const Expr& expr) {
 // ---------------------------------------------------------------- methods
 
 std::optional<Value> Checker::property_value(const Lvalue& whole, const Expr& expr) {
-    const Kind k = kind(whole.type);
+    const TypeKind k = kind(whole.type);
     const std::string_view name = text(expr.text);
-    if (k == Kind::Execution) return figure(whole, expr, nullptr);
-    if (k != Kind::Array && k != Kind::String) return std::nullopt;
+    if (k == TypeKind::Execution) return figure(whole, expr, nullptr);
+    if (k != TypeKind::Array && k != TypeKind::String) return std::nullopt;
     if (is_contour(types_.given(whole.type)) && name != "count") {
         const Value contour = require_given(load(whole, expr.range, true, kNoReg), expr.range, {});
         if (is_error(contour)) return contour;
@@ -351,11 +351,11 @@ std::optional<Value> Checker::property_value(const Lvalue& whole, const Expr& ex
         return error_value();
     }
     const TypeInfo& info = type_info(whole.type);
-    if (k == Kind::Array && info.count >= 0) return constant_integer(info.count, types::kInt);
+    if (k == TypeKind::Array && info.count >= 0) return constant_integer(info.count, types::kInt);
     const Value value = require_given(load(whole, expr.range, true, kNoReg), expr.range, {});
     if (is_error(value)) return value;
     const Reg reg = emit_.take(1);
-    emit_.emit(k == Kind::Array ? Op::CountArray : Op::CountText, reg, value.reg);
+    emit_.emit(k == TypeKind::Array ? OpCode::CountArray : OpCode::CountText, reg, value.reg);
     return in_registers(types::kInt, reg);
 }
 
@@ -364,9 +364,9 @@ Value Checker::call_method(ExprId id, const Expr& callee, Reg hint) {
     (void)hint;
     const std::optional<Lvalue> owner = owner_lvalue(callee.child[0]);
     if (!owner) return error_value();
-    if (kind(owner->type) == Kind::Array) return array_method(*owner, callee, expr);
-    if (kind(owner->type) == Kind::Execution) return figure(*owner, callee, &expr);
-    if (kind(owner->type) == Kind::String) return string_method(*owner, callee, expr);
+    if (kind(owner->type) == TypeKind::Array) return array_method(*owner, callee, expr);
+    if (kind(owner->type) == TypeKind::Execution) return figure(*owner, callee, &expr);
+    if (kind(owner->type) == TypeKind::String) return string_method(*owner, callee, expr);
     report(diag::UnknownMethod, callee.range).arg(type_name(owner->type)).arg(text(callee.text));
     return error_value();
 }
@@ -430,12 +430,12 @@ Value Checker::array_method(const Lvalue& array, const Expr& callee, const Expr&
         const Reg reg = emit_.take(slots);
         expression_in(value_of(inserts ? 1 : 0), element, reg, "the element");
         emit_.set_location(expr.range);
-        if (inserts) emit_.emit(Op::InsertAt, handle.reg, reg, at);
-        else emit_.emit(Op::Append, handle.reg, reg);
+        if (inserts) emit_.emit(OpCode::InsertAt, handle.reg, reg, at);
+        else emit_.emit(OpCode::Append, handle.reg, reg);
         return in_registers(types::kVoid, 0);
     }
     if (clears) {
-        emit_.emit(Op::ClearArray, handle.reg);
+        emit_.emit(OpCode::ClearArray, handle.reg);
         return in_registers(types::kVoid, 0);
     }
     Reg at = 0;
@@ -444,15 +444,15 @@ Value Checker::array_method(const Lvalue& array, const Expr& callee, const Expr&
     } else {
         at = emit_.take(1);
         emit_.set_location(expr.range);
-        emit_.emit(Op::CountArray, at, handle.reg);
-        emit_.emit(Op::CheckFilled, at);
-        emit_.emit_integer(Op::AddIK, at, at, -1);
+        emit_.emit(OpCode::CountArray, at, handle.reg);
+        emit_.emit(OpCode::CheckFilled, at);
+        emit_.emit_integer(OpCode::AddIK, at, at, -1);
     }
     emit_.set_location(expr.range);
     const Reg result = emit_.take(slots);
-    if (slots == 1) emit_.emit(Op::LoadElement, result, handle.reg, at);
-    else emit_.emit_pair(Op::LoadElementN, result, handle.reg, at, 0, slots);
-    emit_.emit(Op::RemoveAt, handle.reg, at);
+    if (slots == 1) emit_.emit(OpCode::LoadElement, result, handle.reg, at);
+    else emit_.emit_pair(OpCode::LoadElementN, result, handle.reg, at, 0, slots);
+    emit_.emit(OpCode::RemoveAt, handle.reg, at);
     Value value = in_registers(element, result);
     value.is_fresh = true;
     return value;
@@ -497,7 +497,7 @@ Value Checker::string_method(const Lvalue& string, const Expr& callee, const Exp
     }
     const Reg reg = emit_.take(1);
     emit_.set_location(expr.range);
-    emit_.emit(is_part ? Op::PartOfText : Op::FindText, reg, from, first);
+    emit_.emit(is_part ? OpCode::PartOfText : OpCode::FindText, reg, from, first);
     return in_registers(is_part ? types::kString : types::kInt, reg);
 }
 
@@ -509,24 +509,24 @@ void Checker::add_columns(TableSchema& schema, Type type, const std::string& pre
     for (const Member& member : info.members) {
         const auto at = static_cast<std::uint16_t>(slot + member.offset);
         const TypeInfo& member_type = type_info(member.type);
-        if (member_type.kind == Kind::Struct) {
+        if (member_type.kind == TypeKind::Struct) {
             add_columns(schema, member.type, prefix + member.name + '.', at);
             continue;
         }
-        Column column;
+        TableColumn column;
         column.name = prefix + member.name;
         column.slot = at;
         column.quantity = member_type.quantity;
         column.is_optional = member_type.is_optional;
-        using K = Column::Kind;
+        using K = TableColumn::Kind;
         switch (member_type.kind) {
-            case Kind::Bool: column.kind = K::Bool; break;
-            case Kind::Int: column.kind = K::Integer; break;
-            case Kind::Real: column.kind = K::Number; break;
-            case Kind::Feed: column.kind = K::Feed; break;
-            case Kind::Speed: column.kind = K::Speed; break;
-            case Kind::String: column.kind = K::Text; break;
-            case Kind::Enum:
+            case TypeKind::Bool: column.kind = K::Bool; break;
+            case TypeKind::Int: column.kind = K::Integer; break;
+            case TypeKind::Real: column.kind = K::Number; break;
+            case TypeKind::Feed: column.kind = K::Feed; break;
+            case TypeKind::Speed: column.kind = K::Speed; break;
+            case TypeKind::String: column.kind = K::Text; break;
+            case TypeKind::Enum:
                 column.kind = K::Enum;
                 column.enumeration = member_type.definition;
                 break;
@@ -539,7 +539,7 @@ void Checker::add_columns(TableSchema& schema, Type type, const std::string& pre
 
 /// What a table without the column has in it. A default that must be worked out in the running
 /// program is none: the column is missing then.
-void Checker::add_default(Column& column, const Member& member) {
+void Checker::add_default(TableColumn& column, const Member& member) {
     const std::uint32_t here = std::exchange(module_, member.module);
     const Units before = std::exchange(units_, modules_[member.module].units);
     const Reg mark = emit_.mark();
@@ -547,10 +547,10 @@ void Checker::add_default(Column& column, const Member& member) {
                                 ast()[member.initial].range, member.name);
     if (value.is_constant()) {
         column.initial.emplace();
-        if (column.kind == Column::Kind::Text)
+        if (column.kind == TableColumn::Kind::Text)
             column.initial_text = code_->texts[static_cast<std::size_t>(value.constant.integer)];
-        else if (kind(member.type) == Kind::Real || kind(member.type) == Kind::Feed ||
-                 kind(member.type) == Kind::Speed)
+        else if (kind(member.type) == TypeKind::Real || kind(member.type) == TypeKind::Feed ||
+                 kind(member.type) == TypeKind::Speed)
             column.initial->number = value.constant.number;
         else column.initial->integer = value.constant.integer;
     }
@@ -570,7 +570,7 @@ std::string Checker::folder_of_file() const {
 Value Checker::image_call(const Expr& expr) {
     if (!require_argument_count(expr, "image", 1, 1)) return error_value();
     const Type type = resolve_type(expr.type);
-    if (kind(type) == Kind::Error) return error_value();
+    if (kind(type) == TypeKind::Error) return error_value();
     PictureSource source;
     if (!is_picture(type, source)) {
         report(diag::ImageType, expr.range).arg(type_name(type));
@@ -591,10 +591,10 @@ Value Checker::image_call(const Expr& expr) {
             read_picture(source.folder, name, ast()[argument].range, options_.files, sink_);
         if (!picture) return error_value();
         source.picture = std::move(*picture);
-        emit_.emit_pair(Op::LoadImage, reg, 0, 0, index);
+        emit_.emit_pair(OpCode::LoadImage, reg, 0, 0, index);
     } else {
         const Reg name = in_register(path);
-        emit_.emit_pair(Op::ReadImage, reg, name, 0, index);
+        emit_.emit_pair(OpCode::ReadImage, reg, name, 0, index);
     }
     code_->pictures.push_back(std::move(source));
     Value value = in_registers(type, reg);
@@ -604,13 +604,13 @@ Value Checker::image_call(const Expr& expr) {
 
 /// Whether a struct has `int width`, `int height`, `real[] dots` and nothing else; notes where.
 bool Checker::is_picture(Type type, PictureSource& source) const {
-    if (kind(type) != Kind::Struct) return false;
+    if (kind(type) != TypeKind::Struct) return false;
     const StructInfo& info = types_.struct_of(type);
     unsigned found = 0;
     for (const Member& member : info.members) {
         const TypeInfo& member_type = type_info(member.type);
-        const bool is_count = member_type.kind == Kind::Int && !member_type.is_optional;
-        const bool is_dots = member_type.kind == Kind::Array && member_type.count < 0 &&
+        const bool is_count = member_type.kind == TypeKind::Int && !member_type.is_optional;
+        const bool is_dots = member_type.kind == TypeKind::Array && member_type.count < 0 &&
                              member_type.element == types::kReal;
         const auto at = static_cast<std::uint16_t>(member.offset);
         if (member.name == "width" && is_count) source.width = at, found |= 1u;
@@ -630,8 +630,8 @@ Value Checker::table(const Expr& expr) {
     if (!require_argument_count(expr, "table", 1, 1)) return error_value();
     const ExprId item = ast().exprs(expr.list)[0];
     const ExprId argument = ast()[item].kind == ExprKind::Argument ? ast()[item].child[0] : item;
-    if (kind(row) == Kind::Error) return error_value();
-    if (kind(row) != Kind::Struct || types_.holds_array(row)) {
+    if (kind(row) == TypeKind::Error) return error_value();
+    if (kind(row) != TypeKind::Struct || types_.holds_array(row)) {
         report(diag::TableType, expr.range).arg(type_name(row));
         return error_value();
     }
@@ -658,11 +658,12 @@ Value Checker::table(const Expr& expr) {
         std::optional<TableRows> rows =
             read_table(schema, enums, name, ast()[argument].range, options_.files, sink_);
         if (!rows) return error_value();
-        emit_.emit_pair(Op::LoadTable, reg, 0, 0, static_cast<std::int64_t>(code_->tables.size()));
+        emit_.emit_pair(OpCode::LoadTable, reg, 0, 0,
+                        static_cast<std::int64_t>(code_->tables.size()));
         code_->tables.push_back({index, std::move(*rows)});
     } else {
         const Reg name = in_register(path);
-        emit_.emit_pair(Op::ReadTable, reg, name, 0, index);
+        emit_.emit_pair(OpCode::ReadTable, reg, name, 0, index);
     }
     Value value = in_registers(types_.array(row, -1), reg);
     value.is_fresh = true;

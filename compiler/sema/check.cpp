@@ -56,7 +56,7 @@ std::optional<nc::CycleId> Checker::native_cycle(const FunctionDecl& function) c
 void Checker::emit_native_cycle() {
     if (!native_pending_) return;
     native_pending_ = false;
-    emit_.emit_pair(Op::NativeCycle, 0, 0, 0, *current_native_);
+    emit_.emit_pair(OpCode::NativeCycle, 0, 0, 0, *current_native_);
 }
 
 namespace {
@@ -146,7 +146,7 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
             if (globals_[g].module == i) check_global(g, false);
         }
     }
-    emit_.emit(Op::Return, 0, 0, 0);
+    emit_.emit(OpCode::Return, 0, 0, 0);
     code_->functions[0].end = emit_.here();
     code_->functions[0].registers = emit_.registers_used();
     is_startup_ = false;
@@ -208,9 +208,9 @@ Checker::DiameterWords Checker::diameter_words(const FunctionCode& function) con
     int contours = 0;
     for (std::uint32_t at = function.entry; at < function.end; ++at) {
         const Instruction& instruction = code_->instructions[at];
-        contours += static_cast<int>(instruction.op == Op::BeginContour) -
-                    static_cast<int>(instruction.op == Op::EndContour);
-        if (instruction.op != Op::Emit) continue;
+        contours += static_cast<int>(instruction.op == OpCode::BeginContour) -
+                    static_cast<int>(instruction.op == OpCode::EndContour);
+        if (instruction.op != OpCode::Emit) continue;
         const Plan& plan = code_->plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
         for (const nc::Invocation& invocation : plan.functions) {
             if (nc::info(invocation.function).group != nc::Group::Diameter) continue;
@@ -242,7 +242,7 @@ void Checker::mark_diameters() {
     for (std::uint32_t i = 0; i < functions.size(); ++i) {
         for (std::uint32_t at = functions[i].entry; at < functions[i].end; ++at) {
             const Instruction& instruction = code_->instructions[at];
-            if (instruction.op == Op::Call) callers[instruction.b].push_back(i);
+            if (instruction.op == OpCode::Call) callers[instruction.b].push_back(i);
         }
     }
     std::vector<std::uint32_t> pending;

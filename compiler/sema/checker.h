@@ -221,7 +221,7 @@ class Checker {
     Value families(syntax::Operator op, const Value& left, const Value& right,
                    const syntax::Expr& expr, Reg hint);
     /// Whether an instruction does nothing but set its first register.
-    static bool is_pure(Op op);
+    static bool is_pure(OpCode op);
     Value fold_integers(syntax::Operator op, std::int64_t a, std::int64_t b,
                         const SourceRange& range);
     Value emit_integers(syntax::Operator op, const Value& a, const Value& b, Reg hint);
@@ -299,7 +299,7 @@ class Checker {
     bool is_picture(Type type, PictureSource& source) const;
     std::string folder_of_file() const;
     void add_columns(TableSchema& schema, Type type, const std::string& prefix, std::uint16_t slot);
-    void add_default(Column& column, const Member& member);
+    void add_default(TableColumn& column, const Member& member);
     std::optional<std::vector<syntax::ExprId>> bind_arguments(
         const syntax::Expr& expr, std::string_view name, std::span<const std::string_view> names,
         const SourceRange& declared, std::uint32_t required = 0);
@@ -313,7 +313,7 @@ class Checker {
     Value extreme(Math function, const syntax::Expr& expr, std::string_view name);
     Value root_call(int degree, const syntax::Expr& expr, std::string_view name);
     Value power_call(const syntax::Expr& expr);
-    Value trigonometric(Op op, const syntax::Expr& expr, std::string_view name, Reg hint);
+    Value trigonometric(OpCode op, const syntax::Expr& expr, std::string_view name, Reg hint);
     Value distance_call(const syntax::Expr& expr);
     Value mod_call(const syntax::Expr& expr);
     Value length_as(Type type, const syntax::Expr& expr, std::string_view name);
@@ -376,7 +376,7 @@ class Checker {
     void return_statement(const syntax::Stmt& stmt);
     void leave_function(const SourceRange& range);
     void check_statement(const syntax::Stmt& stmt, bool is_require);
-    void text_statement(const syntax::Stmt& stmt, Op op, unsigned kind);
+    void text_statement(const syntax::Stmt& stmt, OpCode op, unsigned kind);
     void expression_statement(const syntax::Stmt& stmt);
     std::uint32_t statement_id(const SourceRange& range);
 
@@ -503,8 +503,8 @@ class Checker {
     }
     std::string type_name(Type type) const { return types_.name(type); }
     const TypeInfo& type_info(Type type) const { return types_[type]; }
-    Kind kind(Type type) const { return types_[type].kind; }
-    bool is_error(const Value& value) const { return kind(value.type) == Kind::Error; }
+    TypeKind kind(Type type) const { return types_[type].kind; }
+    bool is_error(const Value& value) const { return kind(value.type) == TypeKind::Error; }
 
     /// Counts errors on their way to the caller's sink.
     class CountingSink final : public DiagnosticSink {

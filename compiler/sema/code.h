@@ -25,7 +25,7 @@
 
 namespace kadr::sema {
 
-enum class Op : std::uint16_t {
+enum class OpCode : std::uint16_t {
 #define KADR_OP(name, operands) name,
 #include "sema/opcodes.def"
 #undef KADR_OP
@@ -72,7 +72,7 @@ struct Instruction {
         std::int32_t first;  // a jump target, a table index
         std::int32_t second;
     };
-    Op op = Op::Finish;
+    OpCode op = OpCode::Finish;
     std::uint16_t a = 0;
     std::uint16_t b = 0;
     std::uint16_t c = 0;
@@ -183,7 +183,7 @@ enum class CurveSlot : std::uint8_t {
 };
 
 /// What a `with` adds to the frame; its values stand in the order of the vocabulary's parameters.
-enum class FrameChange : std::uint8_t { Shift, Rotate, Scale, Mirror };
+enum class WithFrame : std::uint8_t { Shift, Rotate, Scale, Mirror };
 
 /// Which modal state a `with` or `preserves` concerns: bit i is nc::Group i, then:
 using ModalMask = std::uint32_t;
@@ -331,14 +331,14 @@ struct ShownForm {
 
 /// What each register of an array's element holds; `nested` the layout of a register that is an
 /// array itself.
-struct Layout {
+struct ElementLayout {
     std::vector<SlotKind> slots;
     std::vector<std::uint32_t> nested;
-    friend bool operator==(const Layout&, const Layout&) = default;
+    friend bool operator==(const ElementLayout&, const ElementLayout&) = default;
 };
 
 /// One column that a CSV file must have.
-struct Column {
+struct TableColumn {
     enum class Kind : std::uint8_t { Bool, Integer, Number, Feed, Speed, Text, Enum };
     std::string name;  // "d", "at.x"
     Kind kind = Kind::Number;
@@ -351,7 +351,7 @@ struct Column {
 };
 struct TableSchema {
     std::string type_name;
-    std::vector<Column> columns;
+    std::vector<TableColumn> columns;
     std::uint32_t layout = 0;
     std::uint16_t slots = 0;
     std::string folder;  // of the file that names the table
@@ -499,7 +499,7 @@ struct Code {
     std::vector<std::string> texts;
     std::vector<FormatPattern> formats;
     std::vector<ShownForm> shown_forms;
-    std::vector<Layout> layouts;
+    std::vector<ElementLayout> layouts;
     std::vector<Plan> plans;
     std::vector<SourceCycle> cycles;
     std::vector<SourceRange> statements;  // by SourceId

@@ -13,9 +13,9 @@ using syntax::ExprKind;
 Value Checker::braces(ExprId id, Type expected, Reg hint) {
     const Expr& expr = ast()[id];
     const Type plain = types_.given(expected);
-    if (kind(plain) == Kind::Array && !is_contour(plain)) return brace_array(id, plain);
-    if (kind(plain) == Kind::Struct) return brace_struct(id, plain, kNoReg);
-    if (kind(expected) != Kind::Error) {
+    if (kind(plain) == TypeKind::Array && !is_contour(plain)) return brace_array(id, plain);
+    if (kind(plain) == TypeKind::Struct) return brace_struct(id, plain, kNoReg);
+    if (kind(expected) != TypeKind::Error) {
         report(diag::BracesPlace, expr.range).arg(type_name(expected));
         return error_value();
     }
@@ -29,7 +29,7 @@ Value Checker::brace_array(ExprId id, Type type) {
     const Expr& expr = ast()[id];
     const TypeInfo info = type_info(type);
     const Reg array = emit_.take(1);
-    emit_.emit_pair(Op::NewArray, array, 0, 0, layout_constant(info.element));
+    emit_.emit_pair(OpCode::NewArray, array, 0, 0, layout_constant(info.element));
     if (info.count >= 0 && expr.list.count != static_cast<std::uint64_t>(info.count)) {
         report(diag::ElementCount, expr.range).arg(info.count).arg(std::to_string(expr.list.count));
     }
@@ -43,7 +43,7 @@ Value Checker::brace_array(ExprId id, Type type) {
         }
         expression_in(item, info.element, element, "the element");
         emit_.set_location(ast()[item].range);
-        emit_.emit(Op::Append, array, element);
+        emit_.emit(OpCode::Append, array, element);
     }
     emit_.set_location(expr.range);
     emit_.release_to(mark);
@@ -104,7 +104,7 @@ void Checker::fill_members(ExprId id, Type type, Reg reg) {
             expression_in(values[i], member.type, target, member.name);
         } else {
             if (!member.initial.is_valid() && !type_info(member.type).is_optional &&
-                kind(member.type) != Kind::Array && kind(member.type) != Kind::Struct) {
+                kind(member.type) != TypeKind::Array && kind(member.type) != TypeKind::Struct) {
                 report(diag::MemberMissing, expr.range).arg(info.name).arg(member.name);
             }
             emit_member(member, target);
@@ -114,9 +114,9 @@ void Checker::fill_members(ExprId id, Type type, Reg reg) {
 
 bool Checker::has_defaults(Type type) const {
     const TypeInfo& info = type_info(type);
-    if (info.kind == Kind::Array)
+    if (info.kind == TypeKind::Array)
         return !info.is_optional && info.count >= 0 && has_defaults(info.element);
-    if (info.kind != Kind::Struct) return false;
+    if (info.kind != TypeKind::Struct) return false;
     return std::ranges::any_of(types_.struct_of(type).members, [&](const Member& member) {
         return member.initial.is_valid() || (!member.may_be_unset && has_defaults(member.type));
     });
@@ -139,7 +139,7 @@ void Checker::emit_member(const Member& member, Reg reg) {
 /// What a variable without a value holds: nothing but the defaults of a struct's members.
 void Checker::emit_initial(Type type, Reg reg) {
     if (!has_defaults(type)) return emit_unset(type, reg);
-    if (kind(type) == Kind::Struct) {
+    if (kind(type) == TypeKind::Struct) {
         const StructInfo info = types_.struct_of(type);
         for (const Member& member : info.members)
             emit_member(member, static_cast<Reg>(reg + member.offset));
@@ -150,14 +150,14 @@ void Checker::emit_initial(Type type, Reg reg) {
     const Reg index = emit_.take(2);  // and the number of elements
     const Reg element = emit_.take(type_info(info.element).slots);
     Label top;
-    emit_.emit_pair(Op::NewArray, reg, 0, 0, layout_constant(info.element));
-    emit_.emit_integer(Op::LoadI, index, 0, 0);
-    emit_.emit_integer(Op::LoadI, index + 1u, 0, info.count);
+    emit_.emit_pair(OpCode::NewArray, reg, 0, 0, layout_constant(info.element));
+    emit_.emit_integer(OpCode::LoadI, index, 0, 0);
+    emit_.emit_integer(OpCode::LoadI, index + 1u, 0, info.count);
     emit_.bind(top);
     emit_initial(info.element, element);
-    emit_.emit(Op::Append, reg, element);
-    emit_.emit_integer(Op::AddIK, index, index, 1);
-    emit_.jump(Op::JumpLtI, top, index, index + 1u);
+    emit_.emit(OpCode::Append, reg, element);
+    emit_.emit_integer(OpCode::AddIK, index, index, 1);
+    emit_.jump(OpCode::JumpLtI, top, index, index + 1u);
     emit_.release_to(mark);
 }
 
@@ -173,7 +173,7 @@ Value Checker::member(ExprId id) {
             return position_member(expr, name == "position");
         }
         if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Type &&
-            kind(found.name->type) == Kind::Enum) {
+            kind(found.name->type) == TypeKind::Enum) {
             check_unambiguous(name, owner.range);
             for (const auto& [member, value] : types_.enum_of(found.name->type).members) {
                 if (member == text(expr.text)) return constant_integer(value, found.name->type);
@@ -210,24 +210,24 @@ Value Checker::position_member(const Expr& expr, bool is_position) {
             report(diag::UnknownMember, expr.range).arg("position").arg(name);
             return error_value();
         }
-        emit_.emit(Op::Position, reg, 0, static_cast<unsigned>(axis));
+        emit_.emit(OpCode::Position, reg, 0, static_cast<unsigned>(axis));
         const bool rotary = axis >= 3 && axis <= 5;
         return in_registers(types_.optional(rotary ? types::kAngleType : types::kLengthType), reg);
     }
     if (name == "feed") {
-        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Feed));
+        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Feed));
         return in_registers(types_.optional(types::kFeed), reg);
     }
     if (name == "speed") {
-        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Speed));
+        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Speed));
         return in_registers(types_.optional(types::kSpeed), reg);
     }
     if (name == "tool") {
-        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Tool));
+        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Tool));
         return in_registers(types_.optional(types::kInt), reg);
     }
     if (name == "spindle") {
-        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(StateValue::Spindle));
+        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Spindle));
         return in_registers(types_.optional(types::kInt), reg);
     }
     if (name == "mirrored" || name == "turned" || name == "scaled" || name == "diameter") {
@@ -235,7 +235,7 @@ Value Checker::position_member(const Expr& expr, bool is_position) {
                                  : name == "mirrored" ? StateValue::Mirrored
                                  : name == "scaled"   ? StateValue::Scaled
                                                       : StateValue::Diameter;
-        emit_.emit(Op::State, reg, 0, static_cast<unsigned>(asked));
+        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(asked));
         return in_registers(types::kBool, reg);
     }
     report(diag::UnknownMember, expr.range).arg("state").arg(name);

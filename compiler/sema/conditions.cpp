@@ -40,14 +40,14 @@ bool Checker::is_as_given(ExprId id) const {
 void Checker::warn_equality(const Expr& expr, const Value& left, const Value& right) {
     if (module_ != 0 || function_ == nullptr) return;
     if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) return;
-    if (kind(left.type) == Kind::Int && kind(right.type) == Kind::Int) return;
+    if (kind(left.type) == TypeKind::Int && kind(right.type) == TypeKind::Int) return;
     // `0.1 + 0.2` is a constant that carries rounding like any other sum.
     const auto is_calculated = [&](const Value& value, ExprId id) {
         // Whole numbers have no rounding; a minus changes none.
         while (ast()[id].kind == ExprKind::Unary) id = ast()[id].child[0];
         const ExprKind form = ast()[id].kind;
-        return kind(value.type) != Kind::Int && form != ExprKind::Real && form != ExprKind::Int &&
-               form != ExprKind::Name && form != ExprKind::Member;
+        return kind(value.type) != TypeKind::Int && form != ExprKind::Real &&
+               form != ExprKind::Int && form != ExprKind::Name && form != ExprKind::Member;
     };
     const auto is_given_here = [&](const Value& value, ExprId id) {
         return (value.is_constant() && !is_calculated(value, id)) || is_as_given(id);
@@ -94,13 +94,13 @@ std::optional<Checker::Sides> Checker::compared_sides(const Expr& expr) {
 void Checker::emit_equality(Type type, Reg left, Reg right, Reg all) {
     const std::vector<SlotKind> layout = types_.layout(type);
     const Reg part = emit_.take(1);
-    emit_.emit_integer(Op::LoadI, all, 0, 1);
+    emit_.emit_integer(OpCode::LoadI, all, 0, 1);
     for (std::size_t i = 0; i < layout.size(); ++i) {
         emit_
-            .emit(Op::EqualPart, part, static_cast<unsigned>(left + i),
+            .emit(OpCode::EqualPart, part, static_cast<unsigned>(left + i),
                   static_cast<unsigned>(right + i))
             .immediate.pair = {static_cast<std::int32_t>(layout[i]), 0};
-        emit_.emit(Op::AndI, all, all, part);
+        emit_.emit(OpCode::AndI, all, all, part);
     }
 }
 
@@ -108,27 +108,28 @@ std::optional<Checker::ComparedSides> Checker::compare(const Expr& expr, Value l
     ComparedSides result;
     result.op = expr.op;
     const bool is_equality = expr.op == Operator::Equal || expr.op == Operator::NotEqual;
-    const Kind a = kind(left.type);
-    const Kind b = kind(right.type);
+    const TypeKind a = kind(left.type);
+    const TypeKind b = kind(right.type);
     if (types_.is_numeric(left.type) && types_.is_numeric(right.type)) {
-        if (a == Kind::Int && b == Kind::Int) {
+        if (a == TypeKind::Int && b == TypeKind::Int) {
             result.left = left;
             result.right = right;
             return result;
         }
         if (!match_quantities(left, right, expr)) return std::nullopt;
-        const bool is_family = kind(left.type) == Kind::Feed || kind(left.type) == Kind::Speed;
+        const bool is_family =
+            kind(left.type) == TypeKind::Feed || kind(left.type) == TypeKind::Speed;
         result.is_real = true;
         result.left = to_real(left);
         result.right = to_real(right);
         if (is_family && !(left.is_constant() && right.is_constant())) {
             result.left = in_registers(left.type, in_register(result.left));
             result.right = in_registers(right.type, in_register(result.right));
-            emit_.emit(Op::SameForm, result.left.reg, result.right.reg);
+            emit_.emit(OpCode::SameForm, result.left.reg, result.right.reg);
         }
         return result;
     }
-    if (a == Kind::String && b == Kind::String) {
+    if (a == TypeKind::String && b == TypeKind::String) {
         if (left.is_constant() && right.is_constant()) {
             const int order = code_->texts[static_cast<std::size_t>(left.constant.integer)].compare(
                 code_->texts[static_cast<std::size_t>(right.constant.integer)]);
@@ -139,17 +140,17 @@ std::optional<Checker::ComparedSides> Checker::compare(const Expr& expr, Value l
         const Reg x = in_register(left);
         const Reg y = in_register(right);
         const Reg reg = emit_.take(1);
-        emit_.emit(Op::CompareText, reg, x, y);
+        emit_.emit(OpCode::CompareText, reg, x, y);
         result.left = in_registers(types::kInt, reg);
         result.right = constant_integer(0, types::kInt);
         return result;
     }
-    if (is_equality && left.type == right.type && (a == Kind::Bool || a == Kind::Enum)) {
+    if (is_equality && left.type == right.type && (a == TypeKind::Bool || a == TypeKind::Enum)) {
         result.left = left;
         result.right = right;
         return result;
     }
-    if (is_equality && left.type == right.type && a == Kind::Struct &&
+    if (is_equality && left.type == right.type && a == TypeKind::Struct &&
         !types_.holds_array(left.type)) {
         const Reg all = emit_.take(1);
         emit_equality(left.type, left.reg, right.reg, all);
@@ -162,7 +163,7 @@ std::optional<Checker::ComparedSides> Checker::compare(const Expr& expr, Value l
     // `1 < n < 3`: the first comparison is a truth value.
     const Expr& first = ast()[expr.child[0]];
     const bool is_chain =
-        a == Kind::Bool && first.kind == ExprKind::Binary && is_comparison(first.op);
+        a == TypeKind::Bool && first.kind == ExprKind::Binary && is_comparison(first.op);
     if (is_chain) {
         const auto written = [&](ExprId id) { return std::string(sources_.text(ast()[id].range)); };
         const std::string both = std::string(sources_.text(first.range)) + " && " +
@@ -209,16 +210,22 @@ void Checker::jump_compare(const ComparedSides& comparison, bool sense, Label& l
         if (small && !left.is_constant()) {
             const auto k =
                 static_cast<std::uint16_t>(static_cast<std::int16_t>(right.constant.integer));
-            Op code = Op::JumpEqIK;
+            OpCode code = OpCode::JumpEqIK;
             switch (op) {
-                case Operator::Less: code = is_loop ? Op::LoopLtIK : Op::JumpLtIK; break;
-                case Operator::LessEqual: code = is_loop ? Op::LoopLeIK : Op::JumpLeIK; break;
-                case Operator::Greater: code = is_loop ? Op::LoopGtIK : Op::JumpGtIK; break;
-                case Operator::GreaterEqual: code = is_loop ? Op::LoopGeIK : Op::JumpGeIK; break;
-                case Operator::NotEqual: code = is_loop ? Op::LoopNeIK : Op::JumpNeIK; break;
+                case Operator::Less: code = is_loop ? OpCode::LoopLtIK : OpCode::JumpLtIK; break;
+                case Operator::LessEqual:
+                    code = is_loop ? OpCode::LoopLeIK : OpCode::JumpLeIK;
+                    break;
+                case Operator::Greater: code = is_loop ? OpCode::LoopGtIK : OpCode::JumpGtIK; break;
+                case Operator::GreaterEqual:
+                    code = is_loop ? OpCode::LoopGeIK : OpCode::JumpGeIK;
+                    break;
+                case Operator::NotEqual:
+                    code = is_loop ? OpCode::LoopNeIK : OpCode::JumpNeIK;
+                    break;
                 default: break;
             }
-            if (code != Op::JumpEqIK || !is_loop) {
+            if (code != OpCode::JumpEqIK || !is_loop) {
                 emit_.jump(code, label, left.reg, 0, k, second);
                 return;
             }
@@ -234,25 +241,26 @@ void Checker::jump_compare(const ComparedSides& comparison, bool sense, Label& l
     if (is_loop && (op == Operator::Equal || (real && op == Operator::NotEqual))) {
         // Rare at the end of a loop: compare, then the general form.
         const Reg answer = emit_.take(1);
-        const Op code = real ? (op == Operator::Equal ? Op::EqF : Op::NeF) : Op::EqI;
+        const OpCode code =
+            real ? (op == Operator::Equal ? OpCode::EqF : OpCode::NeF) : OpCode::EqI;
         emit_.emit(code, answer, x, y);
-        emit_.jump(Op::LoopIf, label, answer, 0, 0, second);
+        emit_.jump(OpCode::LoopIf, label, answer, 0, 0, second);
         return;
     }
-    Op code = Op::JumpEqI;
+    OpCode code = OpCode::JumpEqI;
     switch (op) {
         case Operator::Less:
-            code =
-                is_loop ? (real ? Op::LoopLtF : Op::LoopLtI) : (real ? Op::JumpLtF : Op::JumpLtI);
+            code = is_loop ? (real ? OpCode::LoopLtF : OpCode::LoopLtI)
+                           : (real ? OpCode::JumpLtF : OpCode::JumpLtI);
             break;
         case Operator::LessEqual:
-            code =
-                is_loop ? (real ? Op::LoopLeF : Op::LoopLeI) : (real ? Op::JumpLeF : Op::JumpLeI);
+            code = is_loop ? (real ? OpCode::LoopLeF : OpCode::LoopLeI)
+                           : (real ? OpCode::JumpLeF : OpCode::JumpLeI);
             break;
         case Operator::NotEqual:
-            code = is_loop ? Op::LoopNeI : (real ? Op::JumpNeF : Op::JumpNeI);
+            code = is_loop ? OpCode::LoopNeI : (real ? OpCode::JumpNeF : OpCode::JumpNeI);
             break;
-        default: code = real ? Op::JumpEqF : Op::JumpEqI; break;
+        default: code = real ? OpCode::JumpEqF : OpCode::JumpEqI; break;
     }
     emit_.jump(code, label, x, y, 0, second);
 }
@@ -274,10 +282,10 @@ bool holds(Operator op, T a, T b) {
 }  // namespace
 
 void Checker::check_condition(const Value& value, const SourceRange& range) {
-    if (is_error(value) || kind(value.type) == Kind::Bool) return;
+    if (is_error(value) || kind(value.type) == TypeKind::Bool) return;
     auto message = report(diag::ConditionType, range);
     message.arg(type_name(value.type));
-    if (kind(value.type) != Kind::Int && kind(value.type) != Kind::Real) return;
+    if (kind(value.type) != TypeKind::Int && kind(value.type) != TypeKind::Real) return;
     const std::string_view source = sources_.text(range.file);
     const std::string operand(sources_.text(range));
     const std::size_t before = source.substr(0, range.begin).find_last_not_of(" \t\r\n");
@@ -301,7 +309,8 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
     const bool is_loop = depth >= 0;
     const int second = is_loop ? depth : 0;
     const auto jump_constant = [&](bool truth) {
-        if (truth == sense) emit_.jump(is_loop ? Op::Loop : Op::Jump, label, 0, 0, 0, second);
+        if (truth == sense)
+            emit_.jump(is_loop ? OpCode::Loop : OpCode::Jump, label, 0, 0, 0, second);
     };
     if (expr.kind == ExprKind::Unary && expr.op == Operator::Not) {
         jump_if(expr.child[0], !sense, label, depth);
@@ -329,7 +338,7 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
                                                      found->right.constant.number)
                                              : holds(expr.op, found->left.constant.integer,
                                                      found->right.constant.integer));
-            } else if (kind(found->left.type) == Kind::Bool && !found->right.is_constant() &&
+            } else if (kind(found->left.type) == TypeKind::Bool && !found->right.is_constant() &&
                        expr.op != Operator::Equal && expr.op != Operator::NotEqual) {
                 check_condition(found->left, expr.range);
             } else {
@@ -342,8 +351,8 @@ void Checker::jump_if(ExprId id, bool sense, Label& label, int depth) {
         if (value.is_constant()) {
             if (!is_error(value)) jump_constant(value.constant.integer != 0);
         } else {
-            const Op code = is_loop ? (sense ? Op::LoopIf : Op::LoopIfNot)
-                                    : (sense ? Op::JumpIf : Op::JumpIfNot);
+            const OpCode code = is_loop ? (sense ? OpCode::LoopIf : OpCode::LoopIfNot)
+                                        : (sense ? OpCode::JumpIf : OpCode::JumpIfNot);
             emit_.jump(code, label, value.reg, 0, 0, second);
         }
     }
@@ -357,11 +366,11 @@ Value Checker::truth(ExprId id, Reg hint) {
     if (expr.kind == ExprKind::Unary) {
         const Value value = require_given(expression(expr.child[0]), expr.range, {});
         check_condition(value, ast()[expr.child[0]].range);
-        if (is_error(value) || kind(value.type) != Kind::Bool) return error_value();
+        if (is_error(value) || kind(value.type) != TypeKind::Bool) return error_value();
         if (value.is_constant())
             return constant_integer(value.constant.integer == 0 ? 1 : 0, types::kBool);
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-        emit_.emit(Op::Not, reg, value.reg);
+        emit_.emit(OpCode::Not, reg, value.reg);
         return in_registers(types::kBool, reg);
     }
     if (is_comparison(expr.op)) {
@@ -386,10 +395,10 @@ Value Checker::truth(ExprId id, Reg hint) {
         const Reg y = in_register(right);
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
         const bool real = found->is_real;
-        const Op code = op == Operator::Less        ? (real ? Op::LtF : Op::LtI)
-                        : op == Operator::LessEqual ? (real ? Op::LeF : Op::LeI)
-                        : op == Operator::Equal     ? (real ? Op::EqF : Op::EqI)
-                                                    : (real ? Op::NeF : Op::NeI);
+        const OpCode code = op == Operator::Less        ? (real ? OpCode::LtF : OpCode::LtI)
+                            : op == Operator::LessEqual ? (real ? OpCode::LeF : OpCode::LeI)
+                            : op == Operator::Equal     ? (real ? OpCode::EqF : OpCode::EqI)
+                                                        : (real ? OpCode::NeF : OpCode::NeI);
         emit_.emit(code, reg, x, y);
         return in_registers(types::kBool, reg);
     }
@@ -399,10 +408,10 @@ Value Checker::truth(ExprId id, Reg hint) {
     Label no;
     Label done;
     jump_if(id, false, no);
-    emit_.emit_integer(Op::LoadI, reg, 0, 1);
-    emit_.jump(Op::Jump, done);
+    emit_.emit_integer(OpCode::LoadI, reg, 0, 1);
+    emit_.jump(OpCode::Jump, done);
     emit_.bind(no);
-    emit_.emit_integer(Op::LoadI, reg, 0, 0);
+    emit_.emit_integer(OpCode::LoadI, reg, 0, 0);
     emit_.bind(done);
     return in_registers(types::kBool, reg);
 }
@@ -410,29 +419,29 @@ Value Checker::truth(ExprId id, Reg hint) {
 Value Checker::contains(const Expr& expr, Reg hint) {
     const Value whole = require_given(expression(expr.child[0]), ast()[expr.child[0]].range, {});
     const Type element =
-        kind(whole.type) == Kind::Array ? type_info(whole.type).element : whole.type;
+        kind(whole.type) == TypeKind::Array ? type_info(whole.type).element : whole.type;
     Value part = expression(expr.child[1], element);
     if (is_error(whole) || is_error(part)) return error_value();
     const SourceRange range = ast()[expr.child[1]].range;
-    if (kind(whole.type) == Kind::String) {
+    if (kind(whole.type) == TypeKind::String) {
         part = convert(part, types::kString, range, {});
         if (is_error(part)) return part;
         const Reg x = in_register(whole);
         const Reg y = in_register(part);
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-        emit_.emit(Op::ContainsText, reg, x, y);
+        emit_.emit(OpCode::ContainsText, reg, x, y);
         return in_registers(types::kBool, reg);
     }
-    if (kind(whole.type) == Kind::Array && type_info(element).slots == 1) {
+    if (kind(whole.type) == TypeKind::Array && type_info(element).slots == 1) {
         part = convert(part, element, range, {});
         if (is_error(part)) return part;
         const Reg x = in_register(whole);
         const Reg y = in_register(part);
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-        emit_.emit(Op::ContainsElement, reg, x, y);
+        emit_.emit(OpCode::ContainsElement, reg, x, y);
         return in_registers(types::kBool, reg);
     }
-    if (kind(whole.type) == Kind::Array && kind(element) == Kind::Struct &&
+    if (kind(whole.type) == TypeKind::Array && kind(element) == TypeKind::Struct &&
         !types_.holds_array(element)) {
         part = convert(part, element, range, {});
         return is_error(part) ? part : contains_struct(whole, part);
@@ -453,18 +462,18 @@ Value Checker::contains_struct(const Value& array, const Value& part) {
     const Reg item = emit_.take(type_info(element).slots);
     Label top;
     Label done;
-    emit_.emit_integer(Op::LoadI, found, 0, 0);
-    emit_.emit_integer(Op::LoadI, index, 0, 0);
-    emit_.emit(Op::CountArray, count, array.reg);
+    emit_.emit_integer(OpCode::LoadI, found, 0, 0);
+    emit_.emit_integer(OpCode::LoadI, index, 0, 0);
+    emit_.emit(OpCode::CountArray, count, array.reg);
     emit_.bind(top);
-    emit_.jump(Op::JumpLeI, done, count, index);
-    emit_.emit_pair(Op::LoadElementN, item, array.reg, index, 0, type_info(element).slots);
+    emit_.jump(OpCode::JumpLeI, done, count, index);
+    emit_.emit_pair(OpCode::LoadElementN, item, array.reg, index, 0, type_info(element).slots);
     const Reg mark = emit_.mark();
     emit_equality(element, item, wanted, found);
     emit_.release_to(mark);
-    emit_.jump(Op::JumpIf, done, found);
-    emit_.emit_integer(Op::AddIK, index, index, 1);
-    emit_.jump(Op::Jump, top);
+    emit_.jump(OpCode::JumpIf, done, found);
+    emit_.emit_integer(OpCode::AddIK, index, index, 1);
+    emit_.jump(OpCode::Jump, top);
     emit_.bind(done);
     return in_registers(types::kBool, found);
 }

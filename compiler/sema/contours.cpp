@@ -40,7 +40,7 @@ constexpr Quantity kArea{2, 0, 0, 0};
 /// The statements run with the blocks being kept; loops around cannot be left from here.
 void Checker::contour_body(const Decl& decl, Reg target) {
     emit_.set_location(decl.name_range);
-    emit_.emit(Op::BeginContour);
+    emit_.emit(OpCode::BeginContour);
     std::vector<LoopScope> loops;
     std::swap(loops, loops_);
     ++contour_depth_;
@@ -48,7 +48,7 @@ void Checker::contour_body(const Decl& decl, Reg target) {
     --contour_depth_;
     std::swap(loops, loops_);
     emit_.set_location(decl.name_range);
-    emit_.emit_pair(Op::EndContour, target, 0, 0, layout_constant(types::kElement));
+    emit_.emit_pair(OpCode::EndContour, target, 0, 0, layout_constant(types::kElement));
 }
 
 void Checker::contour_variable(const Decl& decl) {
@@ -67,9 +67,9 @@ Value Checker::contour_value(ContourFunction function, Type result, Reg argument
                              const SourceRange& range) {
     const Reg reg = emit_.take(type_info(result).slots);
     const TypeInfo info = type_info(result);
-    const std::uint32_t layout = info.kind == Kind::Array ? layout_constant(info.element) : 0;
+    const std::uint32_t layout = info.kind == TypeKind::Array ? layout_constant(info.element) : 0;
     emit_.set_location(range);
-    emit_.emit_pair(Op::ContourValue, reg, arguments, 0, static_cast<std::int64_t>(function),
+    emit_.emit_pair(OpCode::ContourValue, reg, arguments, 0, static_cast<std::int64_t>(function),
                     layout);
     Value value = in_registers(result, reg);
     value.is_fresh = true;
@@ -206,14 +206,15 @@ std::optional<Value> Checker::contour_function(std::string_view name, const Expr
                 const Value value = convert(expression((*bound)[i], parameter.type), parameter.type,
                                             ast()[(*bound)[i]].range, parameter.name);
                 if (is_error(value)) return value;
-                if (kind(parameter.type) == Kind::Array) emit_.emit(Op::Move, reg, value.reg);
+                if (kind(parameter.type) == TypeKind::Array)
+                    emit_.emit(OpCode::Move, reg, value.reg);
                 else copy_value(value, reg);
                 emit_.release_to(mark);
             } else if (parameter.is_required) {
                 report(diag::ArgumentMissing, expr.range).arg(name).arg(parameter.name);
                 return error_value();
             } else if (parameter.type == types::kBool) {
-                emit_.emit_integer(Op::LoadI, reg, 0, 0);
+                emit_.emit_integer(OpCode::LoadI, reg, 0, 0);
             } else {
                 emit_unset(parameter.type, reg);
             }
@@ -278,19 +279,19 @@ Value Checker::follow_call(const Expr& expr, std::string_view name) {
         const Reg mark = emit_.mark();
         const Value value = convert(expression(id, type), type, ast()[id].range, kNames[i]);
         if (!is_error(value)) {
-            if (slot == FollowSlot::Contour) emit_.emit(Op::Move, reg, value.reg);
+            if (slot == FollowSlot::Contour) emit_.emit(OpCode::Move, reg, value.reg);
             else copy_value(value, reg);
         }
         emit_.release_to(mark);
     }
     emit_.set_location(expr.range);
     if (!is_start) {
-        emit_.emit_pair(Op::FollowContour, first, 0, static_cast<unsigned>(loop_depth_), 0,
+        emit_.emit_pair(OpCode::FollowContour, first, 0, static_cast<unsigned>(loop_depth_), 0,
                         statement_id(expr.range));
         return none;
     }
     const Reg point = emit_.take(3);
-    emit_.emit(Op::FollowStart, point, first);
+    emit_.emit(OpCode::FollowStart, point, first);
     return in_registers(types::kPoint, point);
 }
 

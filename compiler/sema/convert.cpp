@@ -22,9 +22,9 @@ void Checker::check_places(Type from, Type to, const SourceRange& range, std::st
 
 Value Checker::adapt_number(const Value& value, Type target) {
     const TypeInfo& info = type_info(target);
-    const Quantity quantity = info.kind == Kind::Feed    ? kFeedPerTime
-                              : info.kind == Kind::Speed ? kSpindleSpeed
-                                                         : info.quantity;
+    const Quantity quantity = info.kind == TypeKind::Feed    ? kFeedPerTime
+                              : info.kind == TypeKind::Speed ? kSpindleSpeed
+                                                             : info.quantity;
     const double factor = bare_factor(quantity, units_);
     if (const std::optional<double> number = number_of(value)) {
         return constant_number(*number * factor, target);
@@ -36,15 +36,15 @@ Value Checker::adapt_number(const Value& value, Type target) {
         return same;
     }
     const Reg reg = emit_.take(1);
-    emit_.emit_number(Op::MulFK, reg, real.reg, factor);
+    emit_.emit_number(OpCode::MulFK, reg, real.reg, factor);
     return in_registers(target, reg);
 }
 
 Value Checker::convert(const Value& source, Type target, const SourceRange& range,
                        std::string_view what) {
-    if (is_error(source) || kind(target) == Kind::Error) return error_value();
+    if (is_error(source) || kind(target) == TypeKind::Error) return error_value();
     if (source.type == target) return source;
-    if (kind(source.type) == Kind::Void) {
+    if (kind(source.type) == TypeKind::Void) {
         report(diag::VoidValue, range);
         return error_value();
     }
@@ -59,9 +59,9 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
     const Value value = require_given(source, range, {});
     if (is_error(value) || value.type == target) return value;
     if (is_plain_number(value)) {
-        if (kind(target) == Kind::Real && type_info(target).quantity.is_number())
+        if (kind(target) == TypeKind::Real && type_info(target).quantity.is_number())
             return to_real(value);
-        if (kind(target) == Kind::Int) return whole_number(value, target, range, what);
+        if (kind(target) == TypeKind::Int) return whole_number(value, target, range, what);
         if (types_.is_numeric(target)) {
             if (value.origin != Origin::Any) warn_of_origin(value, target, range);
             return adapt_number(value, target);
@@ -77,7 +77,7 @@ Value Checker::convert(const Value& source, Type target, const SourceRange& rang
     }
     const TypeInfo from = type_info(value.type);
     const TypeInfo to = type_info(target);
-    const bool is_array = from.kind == Kind::Array && to.kind == Kind::Array;
+    const bool is_array = from.kind == TypeKind::Array && to.kind == TypeKind::Array;
     if (is_array && from.element == to.element && from.is_contour == to.is_contour) {
         if (to.count < 0) return retyped(value, target);
         report(diag::ElementCount, range)
@@ -93,7 +93,7 @@ Done Checker::require_same_measure(const Value& value, Type target, const Source
                                    std::string_view what) {
     const TypeInfo& from = type_info(value.type);
     const TypeInfo& to = type_info(target);
-    const bool are_lengths = from.kind == Kind::Real && to.kind == Kind::Real &&
+    const bool are_lengths = from.kind == TypeKind::Real && to.kind == TypeKind::Real &&
                              from.quantity == kLength && to.quantity == kLength;
     if (!are_lengths || from.is_diameter == to.is_diameter || value.is_constant()) return kDone;
     const std::string text(sources_.text(range));
@@ -110,16 +110,16 @@ Done Checker::require_same_measure(const Value& value, Type target, const Source
 }
 
 bool Checker::is_plain_number(const Value& value) const {
-    return kind(value.type) == Kind::Int ||
-           (kind(value.type) == Kind::Real && type_info(value.type).quantity.is_number());
+    return kind(value.type) == TypeKind::Int ||
+           (kind(value.type) == TypeKind::Real && type_info(value.type).quantity.is_number());
 }
 
 bool Checker::is_diameter(const Value& value) const { return type_info(value.type).is_diameter; }
 
 std::string Checker::quantity_name(Type type) const {
     switch (kind(type)) {
-        case Kind::Int: return "number";
-        case Kind::Real:
+        case TypeKind::Int: return "number";
+        case TypeKind::Real:
             if (!type_info(type).is_diameter) return describe(type_info(type).quantity);
             return type_name(type);
         default: return type_name(type);
@@ -134,7 +134,7 @@ Value Checker::retyped(Value value, Type type) {
 
 Value Checker::whole_number(const Value& value, Type target, const SourceRange& range,
                             std::string_view what) {
-    if (kind(value.type) == Kind::Int) return retyped(value, target);
+    if (kind(value.type) == TypeKind::Int) return retyped(value, target);
     const bool is_whole = value.is_constant() &&
                           value.constant.number == std::trunc(value.constant.number) &&
                           std::fabs(value.constant.number) < 9e18;
@@ -147,23 +147,23 @@ Value Checker::whole_number(const Value& value, Type target, const SourceRange& 
 
 namespace {
 
-bool is_family(Kind kind) { return kind == Kind::Feed || kind == Kind::Speed; }
+bool is_family(TypeKind kind) { return kind == TypeKind::Feed || kind == TypeKind::Speed; }
 
 /// What a feed or speed measures in its first or second form.
-Quantity form_quantity(Kind family, int form) {
-    if (family == Kind::Feed) return form == 0 ? kFeedPerTime : kFeedPerTurn;
+Quantity form_quantity(TypeKind family, int form) {
+    if (family == TypeKind::Feed) return form == 0 ? kFeedPerTime : kFeedPerTurn;
     return form == 0 ? kSpindleSpeed : kFeedPerTime;
 }
 
 }  // namespace
 
-std::optional<int> form_of(Quantity quantity, Kind family) {
+std::optional<int> form_of(Quantity quantity, TypeKind family) {
     for (const int form : {0, 1}) {
         if (quantity == form_quantity(family, form)) return form;
     }
     // Revolutions are a number: 28m/min/(pi*d) turns a spindle, pi*d*3000rpm cuts.
-    if (family == Kind::Speed && quantity == kPerTime) return 0;
-    if (family == Kind::Speed && quantity == kSpindleSpeed * kLength) return 1;
+    if (family == TypeKind::Speed && quantity == kPerTime) return 0;
+    if (family == TypeKind::Speed && quantity == kSpindleSpeed * kLength) return 1;
     return std::nullopt;
 }
 
@@ -172,12 +172,12 @@ std::optional<int> form_of(Quantity quantity, Kind family) {
 std::optional<Value> Checker::same_quantity(const Value& value, Type target) {
     const TypeInfo from = type_info(value.type);
     const TypeInfo to = type_info(target);
-    if (from.kind == Kind::Real && to.kind == Kind::Real) {
+    if (from.kind == TypeKind::Real && to.kind == TypeKind::Real) {
         const bool same = from.quantity == to.quantity ||
                           (to.quantity == kSpindleSpeed && from.quantity == kPerTime);
         return same ? std::optional(retyped(value, target)) : std::nullopt;
     }
-    if (is_family(from.kind) && to.kind == Kind::Real) {
+    if (is_family(from.kind) && to.kind == TypeKind::Real) {
         for (const int form : {0, 1}) {
             if (form_quantity(from.kind, form) * from.quantity == to.quantity)
                 return retyped(plain_form(value, form), target);
@@ -185,16 +185,16 @@ std::optional<Value> Checker::same_quantity(const Value& value, Type target) {
         return std::nullopt;
     }
     if (!is_family(to.kind) || !to.quantity.is_number()) return std::nullopt;
-    if (from.kind == Kind::Real) {
+    if (from.kind == TypeKind::Real) {
         if (const std::optional<int> form = form_of(from.quantity, to.kind))
             return family_value(value, target, *form == 1);
-        if (to.kind == Kind::Feed && from.quantity == kLength)
+        if (to.kind == TypeKind::Feed && from.quantity == kLength)
             return family_value(value, target, true);
         return std::nullopt;
     }
     // A calculation with a variable: at most one of its forms makes the target. A speed by itself
     // is no feed, even if both are m/min.
-    if (!is_family(from.kind) || (to.kind == Kind::Feed && from.quantity.is_number()))
+    if (!is_family(from.kind) || (to.kind == TypeKind::Feed && from.quantity.is_number()))
         return std::nullopt;
     for (const int form : {0, 1}) {
         if (form_of(form_quantity(from.kind, form) * from.quantity, to.kind))
@@ -224,22 +224,22 @@ Value Checker::family_value(const Value& value, Type target, bool second) {
     result.type = target;
     if (!second) return result;
     const Reg reg = emit_.take(1);
-    emit_.emit_number(Op::MulFK, reg, value.reg, factor);
+    emit_.emit_number(OpCode::MulFK, reg, value.reg, factor);
     return in_registers(target, reg);
 }
 
 Value Checker::plain_form(const Value& value, int form) {
-    const Kind family = kind(value.type);
+    const TypeKind family = kind(value.type);
     const Type type = types_.real(form_quantity(family, form) * type_info(value.type).quantity);
     const Reg from = in_register(value);
     const Reg reg = emit_.take(1);
-    const unsigned flags = family == Kind::Speed ? kSpeedForm : 0;
-    emit_.emit(Op::FeedForm, reg, from, static_cast<unsigned>(form) | flags);
+    const unsigned flags = family == TypeKind::Speed ? kSpeedForm : 0;
+    emit_.emit(OpCode::FeedForm, reg, from, static_cast<unsigned>(form) | flags);
     return in_registers(type, reg);
 }
 
 Value Checker::to_real(const Value& value) {
-    if (kind(value.type) != Kind::Int) {
+    if (kind(value.type) != TypeKind::Int) {
         if (value.is_constant()) return value;
         return value;
     }
@@ -247,7 +247,7 @@ Value Checker::to_real(const Value& value) {
         return constant_number(static_cast<double>(value.constant.integer), types::kReal);
     }
     const Reg reg = emit_.take(1);
-    emit_.emit(Op::IntToReal, reg, value.reg);
+    emit_.emit(OpCode::IntToReal, reg, value.reg);
     return in_registers(types::kReal, reg);
 }
 

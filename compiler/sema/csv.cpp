@@ -25,19 +25,19 @@ std::string_view trim(std::string_view text) {
     return text;
 }
 
-struct Cell {
+struct CsvCell {
     std::string text;
     std::uint32_t column = 1;  // first character, from 1
 };
 
 /// One line into cells; `""` inside quotes is a quote. False: a quote is not closed.
-bool split(std::string_view line, char separator, std::vector<Cell>& cells) {
+bool split(std::string_view line, char separator, std::vector<CsvCell>& cells) {
     cells.clear();
     std::size_t at = 0;
     std::size_t counted = 0;
     std::size_t characters = 0;
     while (true) {
-        Cell cell;
+        CsvCell cell;
         characters += count_code_points(line.substr(counted, at - counted));
         counted = at;
         cell.column = static_cast<std::uint32_t>(characters) + 1;
@@ -69,7 +69,7 @@ class TableReader {
   public:
     TableReader(const TableSchema& schema, std::span<const EnumNames> enums, DiagnosticSink& sink)
         : schema_(schema), enums_(enums), sink_(sink), bound_(schema.columns.size()) {
-        for (const Column& column : schema.columns) by_name_.try_emplace(column.name, &column);
+        for (const TableColumn& column : schema.columns) by_name_.try_emplace(column.name, &column);
     }
 
     std::optional<TableRows> read(const std::string& file, std::string_view text,
@@ -127,35 +127,35 @@ class TableReader {
     }
 
     struct Bound {
-        const Column* column = nullptr;  // null: not wanted
+        const TableColumn* column = nullptr;  // null: not wanted
         double factor = 1;
     };
 
-    double factor_of(const Column& column) const {
-        const Quantity quantity = column.kind == Column::Kind::Feed    ? kFeedPerTime
-                                  : column.kind == Column::Kind::Speed ? kSpindleSpeed
-                                                                       : column.quantity;
+    double factor_of(const TableColumn& column) const {
+        const Quantity quantity = column.kind == TableColumn::Kind::Feed    ? kFeedPerTime
+                                  : column.kind == TableColumn::Kind::Speed ? kSpindleSpeed
+                                                                            : column.quantity;
         return bare_factor(quantity, schema_.units);
     }
 
-    bool unit_fits(const Column& column, const UnitInfo& unit, double& factor) const {
+    bool unit_fits(const TableColumn& column, const UnitInfo& unit, double& factor) const {
         factor = unit.factor;
-        if (column.kind == Column::Kind::Number) return unit.quantity == column.quantity;
-        const bool is_feed = column.kind == Column::Kind::Feed;
-        if (!is_feed && column.kind != Column::Kind::Speed) return false;
+        if (column.kind == TableColumn::Kind::Number) return unit.quantity == column.quantity;
+        const bool is_feed = column.kind == TableColumn::Kind::Feed;
+        if (!is_feed && column.kind != TableColumn::Kind::Speed) return false;
         if (unit.quantity == (is_feed ? kFeedPerTime : kSpindleSpeed)) return true;
         factor *= kSecondForm;
         return unit.quantity == (is_feed ? kFeedPerTurn : kFeedPerTime);
     }
 
     Done read_header() {
-        std::vector<Cell> cells;
+        std::vector<CsvCell> cells;
         if (!split(line_text_, separator_, cells)) {
             report(diag::TableQuote, 1, line_text_.size());
             return kFailed;
         }
         std::vector<UnknownColumn> unknown;
-        for (const Cell& cell : cells) {
+        for (const CsvCell& cell : cells) {
             std::string_view name = cell.text;
             std::string_view unit;
             if (const std::size_t open = name.find('[');
@@ -171,7 +171,7 @@ class TableReader {
                 columns_.push_back(bound);
                 continue;
             }
-            const Column& column = *found->second;
+            const TableColumn& column = *found->second;
             if (has(column))
                 report(diag::TableColumnTwice, cell.column, cell.text.size()).arg(name);
             bound_[index_of(column)] = true;
@@ -214,7 +214,7 @@ class TableReader {
 
     void report_unknown(const UnknownColumn& unknown) {
         std::vector<std::string_view> names;
-        for (const Column& column : schema_.columns) {
+        for (const TableColumn& column : schema_.columns) {
             if (!has(column)) names.push_back(column.name);
         }
         DiagnosticBuilder builder =
@@ -225,15 +225,15 @@ class TableReader {
         }
     }
 
-    std::size_t index_of(const Column& column) const {
+    std::size_t index_of(const TableColumn& column) const {
         return static_cast<std::size_t>(&column - schema_.columns.data());
     }
-    bool has(const Column& column) const { return bound_[index_of(column)]; }
+    bool has(const TableColumn& column) const { return bound_[index_of(column)]; }
 
     /// Members without a column. Where a column has nearly the name of one, it is that column which
     /// is wrong, and it is not reported again that nobody takes it.
     void report_missing(std::vector<UnknownColumn>& unknown) {
-        for (const Column& column : schema_.columns) {
+        for (const TableColumn& column : schema_.columns) {
             if (has(column) || column.is_optional || column.initial) continue;
             std::vector<std::string_view> names;
             names.reserve(unknown.size());
@@ -258,7 +258,7 @@ class TableReader {
     }
 
     void row() {
-        std::vector<Cell> cells;
+        std::vector<CsvCell> cells;
         if (!split(line_text_, separator_, cells)) {
             report(diag::TableQuote, 1, line_text_.size());
             return;
@@ -273,15 +273,15 @@ class TableReader {
         Slot empty{};
         empty.number = kNotGivenNumber;
         rows_.slots.resize(first + schema_.slots, empty);
-        for (const Column& column : schema_.columns) {
-            const bool is_integer = column.kind != Column::Kind::Number &&
-                                    column.kind != Column::Kind::Feed &&
-                                    column.kind != Column::Kind::Speed;
+        for (const TableColumn& column : schema_.columns) {
+            const bool is_integer = column.kind != TableColumn::Kind::Number &&
+                                    column.kind != TableColumn::Kind::Feed &&
+                                    column.kind != TableColumn::Kind::Speed;
             Slot& slot = rows_.slots[first + column.slot];
             if (is_integer) slot.integer = kNotGivenInteger;
             if (!column.initial || has(column)) continue;
             slot = *column.initial;
-            if (column.kind != Column::Kind::Text) continue;
+            if (column.kind != TableColumn::Kind::Text) continue;
             slot.integer = static_cast<std::int64_t>(rows_.texts.size());
             rows_.texts.push_back(column.initial_text);
         }
@@ -291,24 +291,24 @@ class TableReader {
         }
     }
 
-    void cell(const Bound& bound, const Cell& cell, Slot& slot) {
-        const Column& column = *bound.column;
+    void cell(const Bound& bound, const CsvCell& cell, Slot& slot) {
+        const TableColumn& column = *bound.column;
         const auto wrong = [&] {
             report(diag::TableCell, cell.column, cell.text.size())
                 .arg(cell.text)
                 .arg(column.name)
                 .arg(word_for(column));
         };
-        if (cell.text.empty() && column.kind != Column::Kind::Text) {
+        if (cell.text.empty() && column.kind != TableColumn::Kind::Text) {
             if (!column.is_optional) report(diag::TableCellEmpty, cell.column, 1).arg(column.name);
             return;
         }
         switch (column.kind) {
-            case Column::Kind::Text:
+            case TableColumn::Kind::Text:
                 slot.integer = static_cast<std::int64_t>(rows_.texts.size());
                 rows_.texts.push_back(cell.text);
                 return;
-            case Column::Kind::Bool:
+            case TableColumn::Kind::Bool:
                 if (cell.text == "true" || cell.text == "yes" || cell.text == "1") slot.integer = 1;
                 else if (cell.text == "false" || cell.text == "no" || cell.text == "0") {
                     slot.integer = 0;
@@ -316,7 +316,7 @@ class TableReader {
                     wrong();
                 }
                 return;
-            case Column::Kind::Enum:
+            case TableColumn::Kind::Enum:
                 for (const auto& [name, value] : enums_[column.enumeration].members) {
                     if (name == cell.text) {
                         slot.integer = value;
@@ -325,15 +325,15 @@ class TableReader {
                 }
                 wrong();
                 return;
-            case Column::Kind::Integer: {
+            case TableColumn::Kind::Integer: {
                 const char* end = cell.text.data() + cell.text.size();
                 const auto read = std::from_chars(cell.text.data(), end, slot.integer);
                 if (read.ec != std::errc() || read.ptr != end) wrong();
                 return;
             }
-            case Column::Kind::Number:
-            case Column::Kind::Feed:
-            case Column::Kind::Speed: break;
+            case TableColumn::Kind::Number:
+            case TableColumn::Kind::Feed:
+            case TableColumn::Kind::Speed: break;
         }
         std::string text = cell.text;
         if (separator_ == ';') std::replace(text.begin(), text.end(), ',', '.');
@@ -354,15 +354,15 @@ class TableReader {
         slot.number = number.value * factor;
     }
 
-    std::string word_for(const Column& column) const {
+    std::string word_for(const TableColumn& column) const {
         switch (column.kind) {
-            case Column::Kind::Bool: return "true or false";
-            case Column::Kind::Integer: return "a whole number";
-            case Column::Kind::Enum: return "one of " + enums_[column.enumeration].name;
-            case Column::Kind::Text: return "a text";
-            case Column::Kind::Number: return describe(column.quantity);
-            case Column::Kind::Feed: return "feed";
-            case Column::Kind::Speed: return "speed";
+            case TableColumn::Kind::Bool: return "true or false";
+            case TableColumn::Kind::Integer: return "a whole number";
+            case TableColumn::Kind::Enum: return "one of " + enums_[column.enumeration].name;
+            case TableColumn::Kind::Text: return "a text";
+            case TableColumn::Kind::Number: return describe(column.quantity);
+            case TableColumn::Kind::Feed: return "feed";
+            case TableColumn::Kind::Speed: return "speed";
         }
         return "";
     }
@@ -375,8 +375,8 @@ class TableReader {
     std::string_view line_text_;
     std::uint32_t line_ = 0;
     char separator_ = ',';
-    std::unordered_map<std::string_view, const Column*> by_name_;  // of the schema
-    std::vector<bool> bound_;                                      // of them in the file
+    std::unordered_map<std::string_view, const TableColumn*> by_name_;  // of the schema
+    std::vector<bool> bound_;                                           // of them in the file
     std::vector<Bound> columns_;
     TableRows rows_;
     bool failed_ = false;

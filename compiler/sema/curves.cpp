@@ -24,10 +24,10 @@ void Checker::curve_body(const FunctionDecl& function, const Decl& decl) {
             emit_.set_location(ast()[ends[i]].range);
             expression_in(ends[i], type, static_cast<Reg>(first + i), text(running.name));
         }
-        emit_.emit(Op::Return, first, 0, 2);
+        emit_.emit(OpCode::Return, first, 0, 2);
         return;
     }
-    if (kind(type) != Kind::Real && kind(type) != Kind::Error) {
+    if (kind(type) != TypeKind::Real && kind(type) != TypeKind::Error) {
         report(diag::CurveParameter, ast()[running.type].range)
             .arg(text(running.name))
             .arg(type_name(type));
@@ -56,7 +56,7 @@ void Checker::curve_body(const FunctionDecl& function, const Decl& decl) {
         is_empty = is_empty && symbols_[symbols + i].givenness == Givenness::NotGiven;
     if (is_empty) report(diag::CurveEmpty, decl.name_range).arg(text(decl.name));
     emit_.set_location(decl.name_range);
-    emit_.emit(Op::Return, point, 0, 3);
+    emit_.emit(OpCode::Return, point, 0, 3);
 }
 
 std::optional<ExprId> Checker::curve_argument(const Expr& expr) {
@@ -125,32 +125,33 @@ Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curv
     if (!option(1, CurveSlot::Feed, types_.optional(types::kFeed)))
         emit_unset(types_.optional(types::kFeed), reg_of(CurveSlot::Feed));
     if (!option(2, CurveSlot::Tolerance, types::kLengthType))
-        emit_.emit_number(Op::LoadF, reg_of(CurveSlot::Tolerance), 0, kCurveTolerance);
+        emit_.emit_number(OpCode::LoadF, reg_of(CurveSlot::Tolerance), 0, kCurveTolerance);
     if (!option(3, CurveSlot::Arcs, types::kBool))
-        emit_.emit_integer(Op::LoadI, reg_of(CurveSlot::Arcs), 0, 1);
+        emit_.emit_integer(OpCode::LoadI, reg_of(CurveSlot::Arcs), 0, 1);
     if (!option(4, CurveSlot::Nurbs, types::kBool))
-        emit_.emit_integer(Op::LoadI, reg_of(CurveSlot::Nurbs), 0, 0);
+        emit_.emit_integer(OpCode::LoadI, reg_of(CurveSlot::Nurbs), 0, 0);
 
     // The limits; the window of a call is overwritten, so the arguments are copied into it.
     emit_.set_location(call.range);
     const auto statement = static_cast<std::int32_t>(statement_id(expr.range));
     const Reg window = emit_.take(std::max(3u, slots + 1u));
-    if (slots > 0) emit_.emit(Op::MoveN, window, values, slots);
-    emit_.emit_pair(Op::Call, window, index + 2, static_cast<unsigned>(loop_depth_), statement,
+    if (slots > 0) emit_.emit(OpCode::MoveN, window, values, slots);
+    emit_.emit_pair(OpCode::Call, window, index + 2, static_cast<unsigned>(loop_depth_), statement,
                     static_cast<std::int32_t>(given));
-    emit_.emit(Op::MoveN, reg_of(CurveSlot::From), window, 2);
+    emit_.emit(OpCode::MoveN, reg_of(CurveSlot::From), window, 2);
     if (is_start) {
-        if (slots > 0) emit_.emit(Op::MoveN, window, values, slots);
-        emit_.emit(Op::Move, static_cast<Reg>(window + slots), reg_of(CurveSlot::From));
-        emit_.emit_pair(Op::Call, window, index + 1, static_cast<unsigned>(loop_depth_), statement,
+        if (slots > 0) emit_.emit(OpCode::MoveN, window, values, slots);
+        emit_.emit(OpCode::Move, static_cast<Reg>(window + slots), reg_of(CurveSlot::From));
+        emit_.emit_pair(OpCode::Call, window, index + 1, static_cast<unsigned>(loop_depth_),
+                        statement,
                         static_cast<std::int32_t>(given | 1u << limits.parameters.size()));
         Value value = in_registers(types::kPoint, window);
         value.is_fresh = true;
         return value;
     }
-    emit_.emit_pair(Op::FollowCurve, first, 0, static_cast<unsigned>(loop_depth_), index + 1,
+    emit_.emit_pair(OpCode::FollowCurve, first, 0, static_cast<unsigned>(loop_depth_), index + 1,
                     statement);
-    emit_.emit_pair(Op::CurveEnd, 0, 0, 0,
+    emit_.emit_pair(OpCode::CurveEnd, 0, 0, 0,
                     static_cast<std::int64_t>(given | 1u << limits.parameters.size()));
     return none;
 }

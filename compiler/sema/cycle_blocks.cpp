@@ -86,7 +86,7 @@ Done Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange&
 void Checker::emit_cycle(SourceCycle cycle, Reg first, const SourceRange& range) {
     const auto index = static_cast<std::int64_t>(code_->cycles.size());
     code_->cycles.push_back(std::move(cycle));
-    emit_.emit_pair(Op::SayCycle, first, 0, static_cast<unsigned>(loop_depth_), index,
+    emit_.emit_pair(OpCode::SayCycle, first, 0, static_cast<unsigned>(loop_depth_), index,
                     statement_id(range));
     emit_run_cycle(range);
 }
@@ -95,9 +95,9 @@ void Checker::emit_run_cycle(const SourceRange& range) {
     const auto depth = static_cast<unsigned>(loop_depth_);
     const Reg mark = emit_.mark();
     const Reg first = emit_.take(1);
-    emit_.emit_pair(Op::RunCycle, first, 0, depth, statement_id(range));
+    emit_.emit_pair(OpCode::RunCycle, first, 0, depth, statement_id(range));
     emit_.release_to(mark);
-    emit_.emit_pair(Op::LeaveCycle, 0, 0, depth, 0, statement_id(range));
+    emit_.emit_pair(OpCode::LeaveCycle, 0, 0, depth, 0, statement_id(range));
 }
 
 // ---------------------------------------------------------------- words: `G83 X10. Z-20. R2. Q5.`
@@ -169,7 +169,7 @@ std::string_view repeats_address(const nc::DialectTables& tables) {
 bool gives_motion(const nc::DialectTables& tables, std::string_view address, double number) {
     const nc::AddressId id = tables.find_address(address);
     if (id == nc::kNoAddress || tables.addresses[id].kind != nc::Address::Kind::Code) return false;
-    const nc::Code* code = tables.find_code(id, number);
+    const nc::CodeStart* code = tables.find_code(id, number);
     return code != nullptr && std::ranges::any_of(code->forms, [&](nc::FormId form) {
                return nc::info(tables.forms[form].function).group == nc::Group::Motion;
            });
@@ -233,12 +233,12 @@ std::vector<nc::SourceArgument> Checker::source_arguments(std::span<const ExprId
         if (!id.is_valid()) continue;
         values[i] = require_given(expression(id), item.range, {});
         const TypeInfo type = type_info(values[i].type);
-        const bool is_number = type.kind == Kind::Int || type.kind == Kind::Real;
-        if (type.kind == Kind::String) {
+        const bool is_number = type.kind == TypeKind::Int || type.kind == TypeKind::Real;
+        if (type.kind == TypeKind::String) {
             arguments[i].kind = ArgumentKind::Text;
         } else if (is_number && values[i].is_constant()) {
             arguments[i].kind = ArgumentKind::Number;
-            arguments[i].number = type.kind == Kind::Int
+            arguments[i].number = type.kind == TypeKind::Int
                                       ? static_cast<double>(values[i].constant.integer)
                                       : values[i].constant.number;
         } else {
@@ -264,11 +264,11 @@ void Checker::fill_cycle(const nc::BlockPlan& plan, std::span<const Value> value
             fill_value(values[hole.word], hole.dimension, range, sources_.text(range), reg);
         // A sign of the pattern holds for values with units as well (`{-pitch}`).
         const bool is_count = filling.form == Filling::Form::Count;
-        if (hole.factor != 1 && !is_count) emit_.emit_number(Op::MulFK, reg, reg, hole.factor);
+        if (hole.factor != 1 && !is_count) emit_.emit_number(OpCode::MulFK, reg, reg, hole.factor);
         if (adds) {
             // A clearance is entered without its sign (S 9.1 SDIS).
-            emit_.emit(Op::Math1, reg, reg, static_cast<unsigned>(Math::Abs));
-            emit_.emit(Op::AddF, place, place, reg);
+            emit_.emit(OpCode::Math1, reg, reg, static_cast<unsigned>(Math::Abs));
+            emit_.emit(OpCode::AddF, place, place, reg);
         } else cycle.arguments.push_back({hole.parameter, is_count});
         emit_.release_to(mark);
     }
@@ -330,7 +330,7 @@ void Checker::modal_call(const Stmt& stmt) {
     const ExprId id = stmt.expression[0];
     if (!id.is_valid()) {
         emit_.set_location(stmt.range);
-        emit_.emit(Op::EndCycle);
+        emit_.emit(OpCode::EndCycle);
         return;
     }
     const Expr& expr = ast()[id];

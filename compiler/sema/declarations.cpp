@@ -276,7 +276,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
     if (ref.array == syntax::TypeRef::Array::Fixed) {
         const Value size = expression(ref.size, types::kInt);
         if (is_error(size)) return types::kError;
-        if (!size.is_constant() || kind(size.type) != Kind::Int || size.constant.integer < 1 ||
+        if (!size.is_constant() || kind(size.type) != TypeKind::Int || size.constant.integer < 1 ||
             size.constant.integer > 1'000'000) {
             report(diag::ArraySize, ast()[ref.size].range);
             return types::kError;
@@ -303,7 +303,7 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
         if (field.type.is_valid() && tree[field.type].array == syntax::TypeRef::Array::None) {
             const Name* found = find_global(module, tree.text(tree[field.type].name));
             if (found != nullptr && found->what == Name::What::Type &&
-                kind(found->type) == Kind::Struct && types_.struct_of(found->type).slots == 0) {
+                kind(found->type) == TypeKind::Struct && types_.struct_of(found->type).slots == 0) {
                 const bool is_open = std::find(open_structs_.begin(), open_structs_.end(),
                                                found->type) != open_structs_.end();
                 if (found->type == type || is_open) {
@@ -365,7 +365,7 @@ void Checker::define_enum_values(std::uint32_t module, const Decl& decl) {
         const Decl& member = tree[id];
         if (member.value.is_valid()) {
             const Value value = expression(member.value, types::kInt);
-            if (value.is_constant() && kind(value.type) == Kind::Int) {
+            if (value.is_constant() && kind(value.type) == TypeKind::Int) {
                 next = value.constant.integer;
             } else if (!is_error(value)) {
                 report(diag::NotConstant, tree[member.value].range)
@@ -438,7 +438,7 @@ void Checker::define_signature(std::uint32_t index) {
             report(diag::ProgramParameter, parameter.range).arg(entry.name);
         }
         entry.may_be_unset = parameter.type.is_valid() && ast()[parameter.type].is_optional &&
-                             kind(entry.type) == Kind::Struct;
+                             kind(entry.type) == TypeKind::Struct;
         entry.is_required =
             !entry.initial.is_valid() && !type_info(entry.type).is_optional && !entry.may_be_unset;
         entry.slots = entry.is_reference ? 1 : type_info(entry.type).slots;
@@ -525,7 +525,7 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
             if (is_optional_type(decl)) emit_unset(symbol.type, reg);
             else emit_initial(symbol.type, reg);
         }
-        if (slots > 0) emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, symbol.global);
+        if (slots > 0) emit_.emit_pair(OpCode::StoreGlobal, reg, 0, slots, symbol.global);
     }
     report_overflow(symbol.name, symbol.range);
     emit_.release_to(mark);
@@ -571,7 +571,7 @@ void Checker::check_defaults(const FunctionDecl& function) {
         defaults_from_ = i;
         Label skip;
         emit_.set_location(parameter.range);
-        emit_.jump(Op::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
+        emit_.jump(OpCode::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
         const Reg mark = emit_.mark();
         if (!parameter.initial.is_valid()) {
             emit_unset(parameter.type, parameter.reg);
@@ -637,7 +637,7 @@ void Checker::check_function(std::uint32_t index) {
     if (has_preserves_) {
         emit_.set_location(decl.range);
         ModalMask mask = words_mask(ast().word_run(decl.preserves), true);
-        emit_.emit_pair(Op::EnterPreserves, 0, 0, 0, mask);
+        emit_.emit_pair(OpCode::EnterPreserves, 0, 0, 0, mask);
         code_->functions[index + 1].needs = preserved_members(decl);
     }
     Completion completion = Completion::Normal;
@@ -651,10 +651,10 @@ void Checker::check_function(std::uint32_t index) {
                           decl.range.end};
     emit_.set_location(end);
     if (completion == Completion::Normal) {
-        if (function.result != types::kVoid && kind(function.result) != Kind::Error)
+        if (function.result != types::kVoid && kind(function.result) != TypeKind::Error)
             report_missing_return(function, decl, end);
         leave_function(end);
-        emit_.emit(Op::Return, 0, 0, 0);
+        emit_.emit(OpCode::Return, 0, 0, 0);
     }
     if (has_preserves_) check_preserves(function, decl);
     report_unused_parameters();
@@ -703,19 +703,19 @@ ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
     const TypeInfo& type = type_info(parameter.type);
     using K = ParameterInfo::Kind;
     switch (type.kind) {
-        case Kind::Bool: info.kind = K::Bool; break;
-        case Kind::Int: info.kind = K::Integer; break;
-        case Kind::Real: info.kind = K::Number; break;
-        case Kind::Feed: info.kind = K::Feed; break;
-        case Kind::Speed: info.kind = K::Speed; break;
-        case Kind::String: info.kind = K::Text; break;
-        case Kind::Enum: info.kind = K::Enum; break;
-        case Kind::Struct:
-        case Kind::Array:
-        case Kind::Range:
-        case Kind::Execution:
-        case Kind::Void:
-        case Kind::Error: info.kind = K::Other; break;
+        case TypeKind::Bool: info.kind = K::Bool; break;
+        case TypeKind::Int: info.kind = K::Integer; break;
+        case TypeKind::Real: info.kind = K::Number; break;
+        case TypeKind::Feed: info.kind = K::Feed; break;
+        case TypeKind::Speed: info.kind = K::Speed; break;
+        case TypeKind::String: info.kind = K::Text; break;
+        case TypeKind::Enum: info.kind = K::Enum; break;
+        case TypeKind::Struct:
+        case TypeKind::Array:
+        case TypeKind::Range:
+        case TypeKind::Execution:
+        case TypeKind::Void:
+        case TypeKind::Error: info.kind = K::Other; break;
     }
     if (type.is_contour) info.kind = K::Contour;
     if (parameter.is_reference) info.kind = K::Other;
@@ -725,7 +725,7 @@ ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
     info.has_default = !parameter.is_required;
     info.slot = parameter.reg;
     info.slots = parameter.slots;
-    info.enumeration = type.kind == Kind::Enum ? type.definition : 0;
+    info.enumeration = type.kind == TypeKind::Enum ? type.definition : 0;
     info.range = parameter.range;
     return info;
 }

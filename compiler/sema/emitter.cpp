@@ -4,7 +4,7 @@
 
 namespace kadr::sema {
 
-Instruction& Emitter::emit(Op op, unsigned a, unsigned b, unsigned c) {
+Instruction& Emitter::emit(OpCode op, unsigned a, unsigned b, unsigned c) {
     // More than an operand can hold: of what is numbered here only a function that is too large has
     // so many.
     overflowed_ |= ((a | b | c) >> 16) != 0;
@@ -18,21 +18,21 @@ Instruction& Emitter::emit(Op op, unsigned a, unsigned b, unsigned c) {
     return code_.instructions.back();
 }
 
-void Emitter::emit_integer(Op op, unsigned a, unsigned b, std::int64_t value) {
+void Emitter::emit_integer(OpCode op, unsigned a, unsigned b, std::int64_t value) {
     emit(op, a, b).immediate.integer = value;
 }
 
-void Emitter::emit_number(Op op, unsigned a, unsigned b, double value, unsigned c) {
+void Emitter::emit_number(OpCode op, unsigned a, unsigned b, double value, unsigned c) {
     emit(op, a, b, c).immediate.number = value;
 }
 
-void Emitter::emit_pair(Op op, unsigned a, unsigned b, unsigned c, std::int64_t first,
+void Emitter::emit_pair(OpCode op, unsigned a, unsigned b, unsigned c, std::int64_t first,
                         std::int64_t second) {
     emit(op, a, b, c).immediate.pair = {static_cast<std::int32_t>(first),
                                         static_cast<std::int32_t>(second)};
 }
 
-void Emitter::jump(Op op, Label& label, unsigned a, unsigned b, unsigned c, int second) {
+void Emitter::jump(OpCode op, Label& label, unsigned a, unsigned b, unsigned c, int second) {
     if (label.target < 0) label.pending.push_back(here());
     emit_pair(op, a, b, c, label.target, second);
 }

@@ -22,14 +22,15 @@ class Emitter {
     void set_location(const SourceRange& range) { location_ = range; }
     const SourceRange& location() const { return location_; }
 
-    Instruction& emit(Op op, unsigned a = 0, unsigned b = 0, unsigned c = 0);
-    void emit_integer(Op op, unsigned a, unsigned b, std::int64_t value);
-    void emit_number(Op op, unsigned a, unsigned b, double value, unsigned c = 0);
-    void emit_pair(Op op, unsigned a, unsigned b, unsigned c, std::int64_t first,
+    Instruction& emit(OpCode op, unsigned a = 0, unsigned b = 0, unsigned c = 0);
+    void emit_integer(OpCode op, unsigned a, unsigned b, std::int64_t value);
+    void emit_number(OpCode op, unsigned a, unsigned b, double value, unsigned c = 0);
+    void emit_pair(OpCode op, unsigned a, unsigned b, unsigned c, std::int64_t first,
                    std::int64_t second = 0);
 
     /// A jump to a label; `second` is the loop depth of loop jumps.
-    void jump(Op op, Label& label, unsigned a = 0, unsigned b = 0, unsigned c = 0, int second = 0);
+    void jump(OpCode op, Label& label, unsigned a = 0, unsigned b = 0, unsigned c = 0,
+              int second = 0);
     void bind(Label& label);
 
     /// Registers are a stack: taken for a while, given back by setting the mark.

@@ -137,7 +137,7 @@ Value Checker::name_value(ExprId id, Reg hint) {
     }
     if (found.symbol < 0 && found.name == nullptr && name == "position") {
         const Reg reg = emit_.take(3);
-        for (unsigned i = 0; i < 3; ++i) emit_.emit(Op::Position, reg + i, 0, i);
+        for (unsigned i = 0; i < 3; ++i) emit_.emit(OpCode::Position, reg + i, 0, i);
         return in_registers(types::kPoint, reg);
     }
     const std::optional<Lvalue> lvalue = name_lvalue(id);
@@ -149,7 +149,7 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
     const Reg mark = emit_.mark();
     const Value condition =
         ast()[expr.child[0]].kind == ExprKind::Bool ? expression(expr.child[0]) : Value{};
-    if (condition.is_constant() && kind(condition.type) == Kind::Bool) {
+    if (condition.is_constant() && kind(condition.type) == TypeKind::Bool) {
         // The other branch is checked, but leaves no code.
         const bool first = condition.constant.integer != 0;
         const ExprId other = expr.child[first ? 2 : 1];
@@ -161,7 +161,7 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
         const Value chosen = expression(expr.child[first ? 1 : 2], expected, hint);
         if (is_error(ignored) || is_error(chosen)) return error_value();
         if (!types_.is_numeric(ignored.type) || !types_.is_numeric(chosen.type) ||
-            kind(ignored.type) == Kind::Real) {
+            kind(ignored.type) == TypeKind::Real) {
             const bool bare = ignored.is_constant() && type_info(ignored.type).quantity.is_number();
             if (!bare) convert(ignored, chosen.type, ast()[other].range, {});
         }
@@ -185,20 +185,20 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
     // where it knows more.
     const auto is_bare = [&](const Value& v) {
         return v.is_constant() &&
-               (kind(v.type) == Kind::Int ||
-                (kind(v.type) == Kind::Real && type_info(v.type).quantity.is_number()));
+               (kind(v.type) == TypeKind::Int ||
+                (kind(v.type) == TypeKind::Real && type_info(v.type).quantity.is_number()));
     };
-    if (expected != types::kError && kind(expected) != Kind::Error) {
+    if (expected != types::kError && kind(expected) != TypeKind::Error) {
         type = types_.is_numeric(first.type) && types_.is_numeric(expected) &&
                        (is_bare(first) || first.type == types::kInt)
                    ? expected
                    : first.type;
     } else if (is_bare(first) || first.type == types::kInt) {
         const Type second = type_of(expr.child[2]);
-        const bool knows_less = second == types::kInt && kind(first.type) == Kind::Real;
+        const bool knows_less = second == types::kInt && kind(first.type) == TypeKind::Real;
         if (types_.is_numeric(second) && !knows_less) type = second;
     }
-    if (kind(type) == Kind::Void) {
+    if (kind(type) == TypeKind::Void) {
         report(diag::VoidValue, ast()[expr.child[1]].range);
         return error_value();
     }
@@ -211,7 +211,7 @@ Value Checker::conditional(ExprId id, Type expected, Reg hint) {
         result = emit_.take(slots);
     }
     copy_value(converted, result);
-    emit_.jump(Op::Jump, done);
+    emit_.jump(OpCode::Jump, done);
     emit_.bind(otherwise);
     set_givenness(before);
     assume_given(expr.child[0], false);

@@ -45,11 +45,11 @@ void Checker::jump_out(bool is_break, const SourceRange& range) {
         LoopScope& loop = loops_[i];
         if (!is_break && loop.on_continue == nullptr) continue;  // a switch
         if (with_depth_ > loop.with_depth) {
-            emit_.emit_pair(Op::LeaveWith, 0, 0,
+            emit_.emit_pair(OpCode::LeaveWith, 0, 0,
                             static_cast<unsigned>(with_depth_ - loop.with_depth), 0,
                             statement_id(range));
         }
-        emit_.jump(Op::Jump, is_break ? *loop.on_break : *loop.on_continue);
+        emit_.jump(OpCode::Jump, is_break ? *loop.on_break : *loop.on_continue);
         return;
     }
     report(diag::OutsideLoop, range).arg(is_break ? "break" : "continue");
@@ -61,8 +61,8 @@ Checker::Completion Checker::while_statement(const Stmt& stmt) {
     Label done;
     const int depth = loop_depth_++;
     forget_givenness();
-    emit_.emit_pair(Op::LoopStart, 0, 0, 0, 0, depth);
-    emit_.jump(Op::Jump, check);
+    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    emit_.jump(OpCode::Jump, check);
     emit_.bind(top);
     loops_.push_back({&done, &check, with_depth_});
     const std::vector<Givenness> before = remember_givenness();
@@ -83,7 +83,7 @@ Checker::Completion Checker::do_statement(const Stmt& stmt) {
     Label done;
     const int depth = loop_depth_++;
     forget_givenness();
-    emit_.emit_pair(Op::LoopStart, 0, 0, 0, 0, depth);
+    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
     emit_.bind(top);
     loops_.push_back({&done, &check, with_depth_});
     statement(stmt.statement[0]);
@@ -142,10 +142,10 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
     } else {
         return false;
     }
-    const Op op = compare.op == Operator::Less        ? Op::ForLtI
-                  : compare.op == Operator::LessEqual ? Op::ForLeI
-                  : compare.op == Operator::Greater   ? Op::ForGtI
-                                                      : Op::ForGeI;
+    const OpCode op = compare.op == Operator::Less        ? OpCode::ForLtI
+                      : compare.op == Operator::LessEqual ? OpCode::ForLeI
+                      : compare.op == Operator::Greater   ? OpCode::ForGtI
+                                                          : OpCode::ForGeI;
     emit_.set_location(step_expr.range);
     emit_.jump(op, top, counter->reg, limit,
                static_cast<std::uint16_t>(static_cast<std::int16_t>(step)), depth);
@@ -170,12 +170,12 @@ Checker::Completion Checker::for_statement(const Stmt& stmt) {
         check_named_global(end);
         if (is_plain_constant(end)) {
             const Value limit = expression(end);
-            if (limit.is_constant() && kind(limit.type) == Kind::Int)
+            if (limit.is_constant() && kind(limit.type) == TypeKind::Int)
                 for_limit_ = in_register(limit);
         }
     }
     const Reg this_limit = for_limit_;
-    emit_.emit_pair(Op::LoopStart, 0, 0, 0, 0, depth);
+    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
     if (condition.is_valid()) jump_if(condition, false, done);
     emit_.bind(top);
     loops_.push_back({&done, &next, with_depth_});
@@ -201,7 +201,7 @@ Checker::Completion Checker::for_statement(const Stmt& stmt) {
             emit_.release_to(above);
         }
         if (condition.is_valid()) jump_if_quietly(condition, top, depth);
-        else emit_.jump(Op::Loop, top, 0, 0, 0, depth);
+        else emit_.jump(OpCode::Loop, top, 0, 0, 0, depth);
     }
     loops_.pop_back();
     emit_.bind(done);
@@ -272,7 +272,7 @@ void Checker::for_range(const Stmt& stmt, const Decl& decl) {
     symbol.is_read = true;  // to count passes is use enough
     symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kInt;
     symbol.is_const = decl.is_const;
-    if (symbol.type != types::kInt && kind(symbol.type) != Kind::Error) {
+    if (symbol.type != types::kInt && kind(symbol.type) != TypeKind::Error) {
         report(diag::RangeType, decl.range).arg(type_name(symbol.type));
         symbol.type = types::kInt;
     }
@@ -290,17 +290,17 @@ void Checker::for_range(const Stmt& stmt, const Decl& decl) {
     Label done;
     const int depth = loop_depth_++;
     forget_givenness();
-    emit_.emit_pair(Op::LoopStart, 0, 0, 0, 0, depth);
-    emit_.jump(Op::JumpLtI, done, static_cast<Reg>(hidden + 1), hidden);
+    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    emit_.jump(OpCode::JumpLtI, done, static_cast<Reg>(hidden + 1), hidden);
     emit_.bind(top);
-    emit_.emit(Op::Move, counter, hidden);
+    emit_.emit(OpCode::Move, counter, hidden);
     loops_.push_back({&done, &next, with_depth_});
     const std::vector<Givenness> before = remember_givenness();
     statement(stmt.statement[0]);
     merge_givenness(before);
     loops_.pop_back();
     emit_.bind(next);
-    emit_.jump(Op::ForLeI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
+    emit_.jump(OpCode::ForLeI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
     emit_.bind(done);
     --loop_depth_;
 }
@@ -315,7 +315,7 @@ Value Checker::characters(const Value& string, bool is_reference, const Decl& de
     const Reg from = in_register(string);
     const Reg reg = emit_.take(1);
     emit_.set_location(range);
-    emit_.emit_pair(Op::SplitText, reg, from, 0, layout_constant(types::kString));
+    emit_.emit_pair(OpCode::SplitText, reg, from, 0, layout_constant(types::kString));
     return in_registers(types_.array(types::kString, -1), reg);
 }
 
@@ -337,7 +337,8 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     const SourceRange range = ast()[stmt.expression[0]].range;
     const bool is_reference = decl.type.is_valid() && ast()[decl.type].is_reference;
     const Type written = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
-    const Type wanted = kind(written) != Kind::Error ? types_.array(written, -1) : types::kError;
+    const Type wanted =
+        kind(written) != TypeKind::Error ? types_.array(written, -1) : types::kError;
     const bool is_braces = ast()[stmt.expression[0]].kind == ExprKind::Braces;
     const std::optional<Lvalue> source =
         is_braces ? std::nullopt : owner_lvalue(stmt.expression[0]);
@@ -345,7 +346,7 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
                  : source  ? load(*source, range, true, kNoReg)
                            : error_value();
     list = require_given(list, range, {});
-    if (kind(list.type) == Kind::String) list = characters(list, is_reference, decl, range);
+    if (kind(list.type) == TypeKind::String) list = characters(list, is_reference, decl, range);
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
@@ -353,7 +354,7 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     symbol.type = written;
     symbol.is_row = true;
     symbol.is_const = decl.is_const;
-    if (kind(list.type) != Kind::Array) {
+    if (kind(list.type) != TypeKind::Array) {
         if (!is_error(list)) report(diag::NotAnArray, range).arg(type_name(list.type));
         symbol.reg = emit_.take(std::max<unsigned>(1, type_info(written).slots));
         add_symbol(symbol);
@@ -372,14 +373,15 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     const Reg handle = emit_.take(1);
     // Without `&` the elements are those that the list has now, whatever the body does to it.
     const bool may_change = !is_reference && source && !source->is_temporary && !source->is_const;
-    emit_.emit(may_change && !is_contour(list.type) ? Op::CopyArray : Op::Move, handle, list.reg);
+    emit_.emit(may_change && !is_contour(list.type) ? OpCode::CopyArray : OpCode::Move, handle,
+               list.reg);
     const Reg hidden = emit_.take(2);  // index, count
     const std::uint16_t symbol_slots =
         is_reference ? 1 : std::max<std::uint16_t>(1, type_info(symbol.type).slots);
     symbol.reg = emit_.take(symbol_slots);
     if (is_reference) {
         symbol.storage = Symbol::Storage::Reference;
-        if (symbol.type != element && kind(symbol.type) != Kind::Error) {
+        if (symbol.type != element && kind(symbol.type) != TypeKind::Error) {
             check_places(element, symbol.type, decl.range, symbol.name);
         }
         if (source && !source->is_temporary && source->is_const && !decl.is_const)
@@ -392,10 +394,10 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     Label done;
     const int depth = loop_depth_++;
     forget_givenness();
-    emit_.emit_integer(Op::LoadI, hidden, 0, 0);
-    emit_.emit_pair(Op::LoopStart, 0, 0, 0, 0, depth);
-    emit_.emit(Op::CountArray, static_cast<Reg>(hidden + 1), handle);
-    emit_.jump(Op::JumpLeI, done, static_cast<Reg>(hidden + 1), hidden);
+    emit_.emit_integer(OpCode::LoadI, hidden, 0, 0);
+    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    emit_.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
+    emit_.jump(OpCode::JumpLeI, done, static_cast<Reg>(hidden + 1), hidden);
     emit_.bind(top);
     Lvalue at;
     at.storage = Lvalue::Storage::Element;
@@ -407,7 +409,7 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     at.root = "the element";
     const Reg above = emit_.mark();
     if (is_reference) {
-        emit_.emit(Op::Move, copy.reg, reference_to(at));
+        emit_.emit(OpCode::Move, copy.reg, reference_to(at));
     } else {
         const Value item = convert(load(at, range, true, copy.type == element ? copy.reg : kNoReg),
                                    copy.type, decl.range, copy.name);
@@ -421,8 +423,8 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     loops_.pop_back();
     emit_.bind(next);
     // The list may have grown or shrunk meanwhile.
-    emit_.emit(Op::CountArray, static_cast<Reg>(hidden + 1), handle);
-    emit_.jump(Op::ForLtI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
+    emit_.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
+    emit_.jump(OpCode::ForLtI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
     emit_.bind(done);
     --loop_depth_;
     leave();

@@ -66,7 +66,7 @@ std::optional<Lvalue> Checker::name_lvalue(ExprId id) {
         }
         return std::nullopt;
     }
-    if (kind(symbol->type) == Kind::Error) return std::nullopt;
+    if (kind(symbol->type) == TypeKind::Error) return std::nullopt;
     lvalue.type = symbol->type;
     lvalue.is_const = symbol->is_const;
     lvalue.is_loop_variable = symbol->is_loop_variable;
@@ -90,7 +90,7 @@ std::optional<Lvalue> Checker::owner_lvalue(ExprId id) {
     if (is_path) return lvalue(id);
     const Value value = expression(id);
     if (is_error(value)) return std::nullopt;
-    if (kind(value.type) == Kind::Void) {
+    if (kind(value.type) == TypeKind::Void) {
         report(diag::VoidValue, expr.range);
         return std::nullopt;
     }
@@ -104,8 +104,8 @@ std::optional<Lvalue> Checker::owner_lvalue(ExprId id) {
 std::optional<Lvalue> Checker::part_lvalue(const Lvalue& whole, const Expr& expr) {
     const std::string_view name = text(expr.text);
     if (name.empty()) return std::nullopt;
-    if (kind(whole.type) != Kind::Struct) {
-        if (kind(whole.type) != Kind::Error) {
+    if (kind(whole.type) != TypeKind::Struct) {
+        if (kind(whole.type) != TypeKind::Error) {
             report(diag::UnknownMember, expr.range).arg(type_name(whole.type)).arg(name);
         }
         return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<Lvalue> Checker::part_lvalue(const Lvalue& whole, const Expr& expr
     } else {
         part.offset += found->offset;
     }
-    if (kind(part.type) == Kind::Error) return std::nullopt;
+    if (kind(part.type) == TypeKind::Error) return std::nullopt;
     return part;
 }
 
@@ -169,9 +169,9 @@ std::optional<Lvalue> Checker::element_lvalue(ExprId id) {
         expression(expr.child[1], types::kInt);
         return std::nullopt;
     }
-    if (kind(array->type) == Kind::String) return character_lvalue(*array, expr);
-    if (kind(array->type) != Kind::Array) {
-        if (kind(array->type) != Kind::Error) {
+    if (kind(array->type) == TypeKind::String) return character_lvalue(*array, expr);
+    if (kind(array->type) != TypeKind::Array) {
+        if (kind(array->type) != TypeKind::Error) {
             report(diag::NotAnArray, ast()[expr.child[0]].range).arg(type_name(array->type));
         }
         return std::nullopt;
@@ -205,7 +205,7 @@ std::optional<Lvalue> Checker::element_lvalue(ExprId id) {
     lvalue.may_be_unset = info.count >= 0;
     lvalue.root = array->root;
     lvalue.root_range = array->root_range;
-    if (kind(lvalue.type) == Kind::Error) return std::nullopt;
+    if (kind(lvalue.type) == TypeKind::Error) return std::nullopt;
     return lvalue;
 }
 
@@ -228,7 +228,7 @@ std::optional<Lvalue> Checker::character_lvalue(const Lvalue& whole, const Expr&
     lvalue.reg = emit_.take(1);
     lvalue.is_temporary = true;
     emit_.set_location(expr.range);
-    emit_.emit(Op::CharacterOf, lvalue.reg, from, at);
+    emit_.emit(OpCode::CharacterOf, lvalue.reg, from, at);
     return lvalue;
 }
 
@@ -243,18 +243,18 @@ Value Checker::load(const Lvalue& lvalue, const SourceRange& range, bool checked
         case Lvalue::Storage::Local: break;
         case Lvalue::Storage::Global:
             value.reg = target();
-            emit_.emit_pair(Op::LoadGlobal, value.reg, 0, slots, lvalue.offset);
+            emit_.emit_pair(OpCode::LoadGlobal, value.reg, 0, slots, lvalue.offset);
             break;
         case Lvalue::Storage::Reference:
             value.reg = target();
-            emit_.emit_pair(Op::LoadRef, value.reg, lvalue.reg, slots, lvalue.offset);
+            emit_.emit_pair(OpCode::LoadRef, value.reg, lvalue.reg, slots, lvalue.offset);
             break;
         case Lvalue::Storage::Element:
             value.reg = target();
             if (lvalue.stride == 1)
-                emit_.emit(Op::LoadElement, value.reg, lvalue.reg, lvalue.index);
+                emit_.emit(OpCode::LoadElement, value.reg, lvalue.reg, lvalue.index);
             else {
-                emit_.emit_pair(Op::LoadElementN, value.reg, lvalue.reg, lvalue.index,
+                emit_.emit_pair(OpCode::LoadElementN, value.reg, lvalue.reg, lvalue.index,
                                 lvalue.offset, slots);
             }
             break;
@@ -308,15 +308,15 @@ void Checker::store(const Lvalue& lvalue, const Value& value, const SourceRange&
     switch (lvalue.storage) {
         case Lvalue::Storage::Local: break;
         case Lvalue::Storage::Global:
-            emit_.emit_pair(Op::StoreGlobal, reg, 0, slots, lvalue.offset);
+            emit_.emit_pair(OpCode::StoreGlobal, reg, 0, slots, lvalue.offset);
             break;
         case Lvalue::Storage::Reference:
-            emit_.emit_pair(Op::StoreRef, reg, lvalue.reg, slots, lvalue.offset);
+            emit_.emit_pair(OpCode::StoreRef, reg, lvalue.reg, slots, lvalue.offset);
             break;
         case Lvalue::Storage::Element:
-            if (lvalue.stride == 1) emit_.emit(Op::StoreElement, reg, lvalue.reg, lvalue.index);
+            if (lvalue.stride == 1) emit_.emit(OpCode::StoreElement, reg, lvalue.reg, lvalue.index);
             else {
-                emit_.emit_pair(Op::StoreElementN, reg, lvalue.reg, lvalue.index, lvalue.offset,
+                emit_.emit_pair(OpCode::StoreElementN, reg, lvalue.reg, lvalue.index, lvalue.offset,
                                 slots);
             }
             break;
@@ -326,15 +326,15 @@ void Checker::store(const Lvalue& lvalue, const Value& value, const SourceRange&
 Reg Checker::reference_to(const Lvalue& lvalue) {
     const Reg reg = emit_.take(1);
     switch (lvalue.storage) {
-        case Lvalue::Storage::Local: emit_.emit(Op::RefLocal, reg, lvalue.reg); break;
+        case Lvalue::Storage::Local: emit_.emit(OpCode::RefLocal, reg, lvalue.reg); break;
         case Lvalue::Storage::Global:
-            emit_.emit_pair(Op::RefGlobal, reg, 0, 0, lvalue.offset);
+            emit_.emit_pair(OpCode::RefGlobal, reg, 0, 0, lvalue.offset);
             break;
         case Lvalue::Storage::Reference:
-            emit_.emit_pair(Op::RefOffset, reg, lvalue.reg, 0, lvalue.offset);
+            emit_.emit_pair(OpCode::RefOffset, reg, lvalue.reg, 0, lvalue.offset);
             break;
         case Lvalue::Storage::Element:
-            emit_.emit_pair(Op::RefElement, reg, lvalue.reg, lvalue.index, lvalue.offset);
+            emit_.emit_pair(OpCode::RefElement, reg, lvalue.reg, lvalue.index, lvalue.offset);
             break;
     }
     return reg;
@@ -360,14 +360,14 @@ Value Checker::assign(ExprId id, bool is_value) {
     const std::string_view what =
         target->symbol >= 0 || target->root.empty() ? target->root : sources_.text(target_range);
     if (expr.op == Operator::Assign) {
-        const Kind value_kind = ast()[expr.child[1]].kind == ExprKind::Binary ||
-                                        ast()[expr.child[1]].kind == ExprKind::Unary ||
-                                        ast()[expr.child[1]].kind == ExprKind::Call
-                                    ? kind(target->type)
-                                    : Kind::Error;
+        const TypeKind value_kind = ast()[expr.child[1]].kind == ExprKind::Binary ||
+                                            ast()[expr.child[1]].kind == ExprKind::Unary ||
+                                            ast()[expr.child[1]].kind == ExprKind::Call
+                                        ? kind(target->type)
+                                        : TypeKind::Error;
         // The value of an operator can be computed right where it belongs.
-        const bool direct = is_local && slots == 1 && value_kind != Kind::Error &&
-                            value_kind != Kind::Array && value_kind != Kind::String;
+        const bool direct = is_local && slots == 1 && value_kind != TypeKind::Error &&
+                            value_kind != TypeKind::Array && value_kind != TypeKind::String;
         Value value = expression(expr.child[1], target->type, direct ? target->reg : kNoReg);
         if (target->symbol >= 0)
             symbols_[static_cast<std::size_t>(target->symbol)].origin =
@@ -409,7 +409,7 @@ Value Checker::assign(ExprId id, bool is_value) {
     const bool is_sum = op == Operator::Add || op == Operator::Subtract;
     Value right = expression(expr.child[1], is_sum ? target->type : types::kError);
     if (is_error(old) || is_error(right)) return error_value();
-    const bool direct = is_local && slots == 1 && kind(target->type) != Kind::String;
+    const bool direct = is_local && slots == 1 && kind(target->type) != TypeKind::String;
     Expr operation = expr;
     operation.op = op;
     Value result = binary_values(op, old, right, operation, direct ? target->reg : kNoReg);
@@ -430,7 +430,7 @@ Value Checker::step(ExprId id, bool is_value) {
     if (target->symbol >= 0 && !is_value)
         symbols_[static_cast<std::size_t>(target->symbol)].is_read = was_read;
     if (is_error(old)) return old;
-    const bool is_int = kind(old.type) == Kind::Int;
+    const bool is_int = kind(old.type) == TypeKind::Int;
     if (!is_int && old.type != types::kReal) {
         const bool counts_up =
             expr.op == Operator::PreIncrement || expr.op == Operator::PostIncrement;
@@ -447,12 +447,12 @@ Value Checker::step(ExprId id, bool is_value) {
     Reg kept = old.reg;
     if (is_value && !before) {
         kept = emit_.take(1);
-        emit_.emit(Op::Move, kept, old.reg);
+        emit_.emit(OpCode::Move, kept, old.reg);
     }
     const bool is_local = target->storage == Lvalue::Storage::Local;
     const Reg reg = is_local ? target->reg : emit_.take(1);
-    if (is_int) emit_.emit_integer(Op::AddIK, reg, old.reg, up ? 1 : -1);
-    else emit_.emit_number(Op::AddFK, reg, old.reg, up ? 1 : -1);
+    if (is_int) emit_.emit_integer(OpCode::AddIK, reg, old.reg, up ? 1 : -1);
+    else emit_.emit_number(OpCode::AddFK, reg, old.reg, up ? 1 : -1);
     if (!is_local) store(*target, in_registers(old.type, reg), range);
     if (!is_value) return in_registers(types::kVoid, 0);
     Value value = in_registers(old.type, before ? reg : kept);

@@ -63,30 +63,30 @@ Value Checker::unary(ExprId id, Type expected, Reg hint) {
     const SourceRange range = ast()[expr.child[0]].range;
     Value value = require_given(expression(expr.child[0], expected), range, {});
     if (is_error(value)) return value;
-    const Kind k = kind(value.type);
+    const TypeKind k = kind(value.type);
     if (expr.op == Operator::BitNot) {
-        if (k != Kind::Int) {
+        if (k != TypeKind::Int) {
             report(diag::OperandType, range).arg("~").arg(type_name(value.type));
             return error_value();
         }
         if (value.is_constant()) return constant_integer(~value.constant.integer, types::kInt);
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-        emit_.emit(Op::NotI, reg, value.reg);
+        emit_.emit(OpCode::NotI, reg, value.reg);
         return in_registers(types::kInt, reg);
     }
-    if (k == Kind::Struct && (value.type == types::kPoint || value.type == types::kVector)) {
+    if (k == TypeKind::Struct && (value.type == types::kPoint || value.type == types::kVector)) {
         if (expr.op == Operator::Plus) return value;
         const Reg reg = emit_.take(3);
-        for (unsigned i = 0; i < 3; ++i) emit_.emit(Op::NegF, reg + i, value.reg + i);
+        for (unsigned i = 0; i < 3; ++i) emit_.emit(OpCode::NegF, reg + i, value.reg + i);
         return in_registers(value.type, reg);
     }
-    if (k != Kind::Int && k != Kind::Real) {
+    if (k != TypeKind::Int && k != TypeKind::Real) {
         report(diag::OperandType, range).arg(spelling(expr.op)).arg(type_name(value.type));
         return error_value();
     }
     if (expr.op == Operator::Plus) return value;
     if (value.is_constant()) {
-        if (k == Kind::Real) {
+        if (k == TypeKind::Real) {
             Value negative = constant_number(-value.constant.number, value.type);
             negative.origin = value.origin;
             return negative;
@@ -94,7 +94,7 @@ Value Checker::unary(ExprId id, Type expected, Reg hint) {
         return fold_integers(Operator::Subtract, 0, value.constant.integer, expr.range);
     }
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-    emit_.emit(k == Kind::Int ? Op::NegI : Op::NegF, reg, value.reg);
+    emit_.emit(k == TypeKind::Int ? OpCode::NegI : OpCode::NegF, reg, value.reg);
     Value negative = in_registers(value.type, reg);
     negative.origin = value.origin;
     return negative;
@@ -127,7 +127,7 @@ Value Checker::binary(ExprId id, Type expected, Reg hint) {
     const Expr& first = ast()[links.back()];
     emit_.set_location(first.range);
     Value value = expression(first.child[0], operand_type(first));
-    if (value.is_constant() && kind(value.type) == Kind::String) {
+    if (value.is_constant() && kind(value.type) == TypeKind::String) {
         value = with_literals(value, links);
     }
     while (!links.empty()) {
@@ -189,17 +189,18 @@ Value Checker::chain_link(const Expr& expr, Value left, Reg mark, Reg hint) {
     return result;
 }
 
-bool Checker::is_pure(Op op) {
-    return (op >= Op::AddI && op <= Op::MathI) || op == Op::Concat || op == Op::Format;
+bool Checker::is_pure(OpCode op) {
+    return (op >= OpCode::AddI && op <= OpCode::MathI) || op == OpCode::Concat ||
+           op == OpCode::Format;
 }
 
 Value Checker::binary_values(Operator op, Value left, Value right, const Expr& expr, Reg hint) {
     left = require_given(left, ast()[expr.child[0]].range, {});
     right = require_given(right, ast()[expr.child[1]].range, {});
     if (is_error(left) || is_error(right)) return error_value();
-    const Kind a = kind(left.type);
-    const Kind b = kind(right.type);
-    if (op == Operator::Add && (a == Kind::String || b == Kind::String)) {
+    const TypeKind a = kind(left.type);
+    const TypeKind b = kind(right.type);
+    if (op == Operator::Add && (a == TypeKind::String || b == TypeKind::String)) {
         left = text_of(left, ast()[expr.child[0]].range);
         right = text_of(right, ast()[expr.child[1]].range);
         if (is_error(left) || is_error(right)) return error_value();
@@ -215,7 +216,7 @@ Value Checker::binary_values(Operator op, Value left, Value right, const Expr& e
         const Reg x = in_register(left);
         const Reg y = in_register(right);
         const Reg reg = hint != kNoReg ? hint : emit_.take(1);
-        emit_.emit(Op::Concat, reg, x, y);
+        emit_.emit(OpCode::Concat, reg, x, y);
         return in_registers(types::kString, reg);
     }
     switch (op) {
@@ -226,7 +227,7 @@ Value Checker::binary_values(Operator op, Value left, Value right, const Expr& e
         case Operator::ShiftRight: return bits(op, left, right, expr, hint);
         default: break;
     }
-    if (a == Kind::Struct || b == Kind::Struct) return vectors(op, left, right, expr);
+    if (a == TypeKind::Struct || b == TypeKind::Struct) return vectors(op, left, right, expr);
     if (!types_.is_numeric(left.type) || !types_.is_numeric(right.type)) {
         const bool is_left = !types_.is_numeric(left.type);
         const Value& wrong = is_left ? left : right;
@@ -246,7 +247,7 @@ void Checker::fix_power(const Expr& expr, const Value& left, const Value& right,
                         DiagnosticBuilder& builder) {
     const Expr& base = ast()[expr.child[0]];
     const std::string name(sources_.text(base.range));
-    const bool is_square = right.is_constant() && kind(right.type) == Kind::Int &&
+    const bool is_square = right.is_constant() && kind(right.type) == TypeKind::Int &&
                            right.constant.integer == 2 && base.kind == ExprKind::Name;
     const std::string product = name + '*' + name;
     // Whether a word takes the square of a length, only the author knows: `G0 X=d^2;`.
@@ -261,7 +262,7 @@ void Checker::fix_power(const Expr& expr, const Value& left, const Value& right,
 void Checker::warn_of_power(const Expr& expr, const Value& left, const Value& right) {
     const Expr& exponent = ast()[expr.child[1]];
     const std::string_view digit = sources_.text(exponent.range);
-    const bool is_power = kind(left.type) == Kind::Int && exponent.kind == ExprKind::Int &&
+    const bool is_power = kind(left.type) == TypeKind::Int && exponent.kind == ExprKind::Int &&
                           digit.size() == 1 && digit[0] >= '2' && digit[0] <= '9';
     if (!is_power) return;
     auto builder = report(diag::BitsAsPower, expr.range);
@@ -271,10 +272,11 @@ void Checker::warn_of_power(const Expr& expr, const Value& left, const Value& ri
 
 Value Checker::bits(Operator op, const Value& left, const Value& right, const Expr& expr,
                     Reg hint) {
-    const bool both_bool = kind(left.type) == Kind::Bool && kind(right.type) == Kind::Bool &&
-                           op != Operator::ShiftLeft && op != Operator::ShiftRight;
-    if (!both_bool && (kind(left.type) != Kind::Int || kind(right.type) != Kind::Int)) {
-        const bool is_left = kind(left.type) != Kind::Int;
+    const bool both_bool = kind(left.type) == TypeKind::Bool &&
+                           kind(right.type) == TypeKind::Bool && op != Operator::ShiftLeft &&
+                           op != Operator::ShiftRight;
+    if (!both_bool && (kind(left.type) != TypeKind::Int || kind(right.type) != TypeKind::Int)) {
+        const bool is_left = kind(left.type) != TypeKind::Int;
         auto builder = report(diag::OperandType, ast()[expr.child[is_left ? 0 : 1]].range);
         builder.arg(spelling(op)).arg(type_name(is_left ? left.type : right.type));
         if (op == Operator::BitXor) fix_power(expr, left, right, builder);
@@ -296,11 +298,11 @@ Value Checker::bits(Operator op, const Value& left, const Value& right, const Ex
                                                             : (x >> y);
         return constant_integer(value, left.type);
     }
-    const Op code = op == Operator::BitAnd      ? Op::AndI
-                    : op == Operator::BitOr     ? Op::OrI
-                    : op == Operator::BitXor    ? Op::XorI
-                    : op == Operator::ShiftLeft ? Op::ShlI
-                                                : Op::ShrI;
+    const OpCode code = op == Operator::BitAnd      ? OpCode::AndI
+                        : op == Operator::BitOr     ? OpCode::OrI
+                        : op == Operator::BitXor    ? OpCode::XorI
+                        : op == Operator::ShiftLeft ? OpCode::ShlI
+                                                    : OpCode::ShrI;
     const Reg x = in_register(left);
     const Reg y = in_register(right);
     const Reg reg = hint != kNoReg ? hint : emit_.take(1);
@@ -315,7 +317,8 @@ void Checker::check_same_parts(Reg left, ExprId left_text, Reg right, ExprId rig
             return static_cast<std::int64_t>(
                 text_constant(std::string(sources_.text(ast()[id].range)) + '.' + "xyz"[i]));
         };
-        emit_.emit_pair(Op::SameGiven, left + i, right + i, 0, name(left_text), name(right_text));
+        emit_.emit_pair(OpCode::SameGiven, left + i, right + i, 0, name(left_text),
+                        name(right_text));
     }
 }
 
@@ -328,7 +331,7 @@ Value Checker::vectors(Operator op, const Value& left, const Value& right, const
         check_same_parts(left.reg, expr.child[0], right.reg, expr.child[1]);
         const Reg reg = emit_.take(3);
         for (unsigned i = 0; i < 3; ++i) {
-            emit_.emit(op == Operator::Add ? Op::AddF : Op::SubF, reg + i, left.reg + i,
+            emit_.emit(op == Operator::Add ? OpCode::AddF : OpCode::SubF, reg + i, left.reg + i,
                        right.reg + i);
         }
         return in_registers(left.type, reg);
@@ -338,18 +341,18 @@ Value Checker::vectors(Operator op, const Value& left, const Value& right, const
         const Value& vector = is_vector(left) ? left : right;
         Value scale = is_vector(left) ? right : left;
         const bool is_number =
-            kind(scale.type) == Kind::Int ||
-            (kind(scale.type) == Kind::Real && type_info(scale.type).quantity.is_number());
+            kind(scale.type) == TypeKind::Int ||
+            (kind(scale.type) == TypeKind::Real && type_info(scale.type).quantity.is_number());
         // A direction times a length is a point: `{0.6, 0.8} * 10mm`.
         const bool makes_point = op == Operator::Multiply && vector.type == types::kVector &&
-                                 kind(scale.type) == Kind::Real &&
+                                 kind(scale.type) == TypeKind::Real &&
                                  type_info(scale.type).quantity == kLength;
         if (is_number || makes_point) {
             const Reg factor = in_register(to_real(scale));
             const Reg reg = emit_.take(3);
             for (unsigned i = 0; i < 3; ++i) {
-                emit_.emit(op == Operator::Multiply ? Op::MulF : Op::DivF, reg + i, vector.reg + i,
-                           factor);
+                emit_.emit(op == Operator::Multiply ? OpCode::MulF : OpCode::DivF, reg + i,
+                           vector.reg + i, factor);
             }
             return in_registers(makes_point ? types::kPoint : vector.type, reg);
         }
@@ -382,10 +385,10 @@ Done Checker::match_diameters(Value& left, Value& right, const Expr& expr) {
 
 Done Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
     const auto bare = [&](const Value& v) {
-        return v.is_constant() && (kind(v.type) == Kind::Int || v.type == types::kReal);
+        return v.is_constant() && (kind(v.type) == TypeKind::Int || v.type == types::kReal);
     };
     const auto is_family = [&](const Value& v) {
-        return kind(v.type) == Kind::Feed || kind(v.type) == Kind::Speed;
+        return kind(v.type) == TypeKind::Feed || kind(v.type) == TypeKind::Speed;
     };
     // A family keeps its form as long as both sides agree; against a plain feed it must have that
     // form.
@@ -397,7 +400,7 @@ Done Checker::match_quantities(Value& left, Value& right, const Expr& expr) {
             other = adapt_number(other, family.type);
             return kDone;
         }
-        if (kind(other.type) == Kind::Real) {
+        if (kind(other.type) == TypeKind::Real) {
             const Quantity q = type_info(other.type).quantity;
             if (const std::optional<int> form =
                     form_of(q / type_info(family.type).quantity, kind(family.type))) {
@@ -465,7 +468,7 @@ Value Checker::emit_integers(Operator op, const Value& a, const Value& b, Reg hi
     const auto target = [&] { return hint != kNoReg ? hint : emit_.take(1); };
     // A constant operand goes into the instruction.
     if (op == Operator::Add || op == Operator::Multiply) {
-        const Op code = op == Operator::Add ? Op::AddIK : Op::MulIK;
+        const OpCode code = op == Operator::Add ? OpCode::AddIK : OpCode::MulIK;
         if (b.is_constant()) {
             const Reg reg = target();
             emit_.emit_integer(code, reg, a.reg, b.constant.integer);
@@ -479,16 +482,16 @@ Value Checker::emit_integers(Operator op, const Value& a, const Value& b, Reg hi
     }
     if (op == Operator::Subtract && b.is_constant() && b.constant.integer != kNotGivenInteger) {
         const Reg reg = target();
-        emit_.emit_integer(Op::AddIK, reg, a.reg, -b.constant.integer);
+        emit_.emit_integer(OpCode::AddIK, reg, a.reg, -b.constant.integer);
         return in_registers(types::kInt, reg);
     }
     const Reg x = in_register(a);
     const Reg y = in_register(b);
     const Reg reg = target();
-    emit_.emit(op == Operator::Add        ? Op::AddI
-               : op == Operator::Subtract ? Op::SubI
-               : op == Operator::Multiply ? Op::MulI
-                                          : Op::ModI,
+    emit_.emit(op == Operator::Add        ? OpCode::AddI
+               : op == Operator::Subtract ? OpCode::SubI
+               : op == Operator::Multiply ? OpCode::MulI
+                                          : OpCode::ModI,
                reg, x, y);
     return in_registers(types::kInt, reg);
 }
@@ -518,36 +521,36 @@ Value Checker::emit_reals(Operator op, const Value& a, const Value& b, Type type
             return error_value();
         }
         const Reg reg = target();
-        if (op == Operator::Add) emit_.emit_number(Op::AddFK, reg, a.reg, k);
-        else if (op == Operator::Subtract) emit_.emit_number(Op::AddFK, reg, a.reg, -k);
-        else if (op == Operator::Multiply) emit_.emit_number(Op::MulFK, reg, a.reg, k);
-        else emit_.emit_number(Op::DivFK, reg, a.reg, k);
+        if (op == Operator::Add) emit_.emit_number(OpCode::AddFK, reg, a.reg, k);
+        else if (op == Operator::Subtract) emit_.emit_number(OpCode::AddFK, reg, a.reg, -k);
+        else if (op == Operator::Multiply) emit_.emit_number(OpCode::MulFK, reg, a.reg, k);
+        else emit_.emit_number(OpCode::DivFK, reg, a.reg, k);
         return in_registers(type, reg);
     }
     if (a.is_constant() && op != Operator::Modulo) {
         const double k = a.constant.number;
         const Reg reg = target();
-        if (op == Operator::Add) emit_.emit_number(Op::AddFK, reg, b.reg, k);
-        else if (op == Operator::Subtract) emit_.emit_number(Op::SubKF, reg, b.reg, k);
-        else if (op == Operator::Multiply) emit_.emit_number(Op::MulFK, reg, b.reg, k);
-        else emit_.emit_number(Op::DivKF, reg, b.reg, k);
+        if (op == Operator::Add) emit_.emit_number(OpCode::AddFK, reg, b.reg, k);
+        else if (op == Operator::Subtract) emit_.emit_number(OpCode::SubKF, reg, b.reg, k);
+        else if (op == Operator::Multiply) emit_.emit_number(OpCode::MulFK, reg, b.reg, k);
+        else emit_.emit_number(OpCode::DivKF, reg, b.reg, k);
         return in_registers(type, reg);
     }
     const Reg x = in_register(a);
     const Reg y = in_register(b);
     const Reg reg = target();
-    emit_.emit(op == Operator::Add        ? Op::AddF
-               : op == Operator::Subtract ? Op::SubF
-               : op == Operator::Multiply ? Op::MulF
-               : op == Operator::Divide   ? Op::DivF
-                                          : Op::ModF,
+    emit_.emit(op == Operator::Add        ? OpCode::AddF
+               : op == Operator::Subtract ? OpCode::SubF
+               : op == Operator::Multiply ? OpCode::MulF
+               : op == Operator::Divide   ? OpCode::DivF
+                                          : OpCode::ModF,
                reg, x, y);
     return in_registers(type, reg);
 }
 
 /// Numbers: whole ones stay whole except in a division, because `X=5/2` means 2.5 on a drawing.
 Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr, Reg hint) {
-    const bool both_int = kind(left.type) == Kind::Int && kind(right.type) == Kind::Int;
+    const bool both_int = kind(left.type) == TypeKind::Int && kind(right.type) == TypeKind::Int;
     if (both_int && op != Operator::Divide) {
         if (left.is_constant() && right.is_constant()) {
             return fold_integers(op, left.constant.integer, right.constant.integer, expr.range);
@@ -556,7 +559,7 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
     }
     const bool is_sum = op == Operator::Add || op == Operator::Subtract || op == Operator::Modulo;
     const auto is_family = [&](const Value& v) {
-        return kind(v.type) == Kind::Feed || kind(v.type) == Kind::Speed;
+        return kind(v.type) == TypeKind::Feed || kind(v.type) == TypeKind::Speed;
     };
     if (is_sum) {
         if (!match_quantities(left, right, expr)) return error_value();
@@ -575,7 +578,7 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
         // spindle.
         const bool is_per_turn = op == Operator::Multiply && kind(left.type) != kind(right.type);
         const auto plain = [&](const Value& v) {
-            return plain_form(v, is_per_turn && kind(v.type) == Kind::Feed ? 1 : 0);
+            return plain_form(v, is_per_turn && kind(v.type) == TypeKind::Feed ? 1 : 0);
         };
         left = plain(left);
         right = plain(right);
@@ -585,7 +588,7 @@ Value Checker::arithmetic(Operator op, Value left, Value right, const Expr& expr
     const Quantity a = type_info(left.type).quantity;
     const Quantity b = type_info(right.type).quantity;
     if (is_family(left) || (is_family(right) && op == Operator::Multiply)) {
-        const Kind family = is_family(left) ? kind(left.type) : kind(right.type);
+        const TypeKind family = is_family(left) ? kind(left.type) : kind(right.type);
         const Type type = types_.family(family, op == Operator::Multiply ? a * b : a / b);
         return emit_reals(op, left, right, type, hint, expr.range);
     }
@@ -604,7 +607,7 @@ Value Checker::families(Operator op, const Value& left, const Value& right, cons
     if (!left.is_constant() || !right.is_constant()) {
         const Reg a = in_register(left);
         const Reg b = in_register(right);
-        emit_.emit(Op::SameForm, a, b);
+        emit_.emit(OpCode::SameForm, a, b);
         const Type type = op == Operator::Divide ? types::kReal : left.type;
         return emit_reals(op, in_registers(left.type, a), in_registers(right.type, b), type, hint,
                           expr.range);

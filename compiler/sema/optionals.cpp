@@ -23,7 +23,7 @@ Value Checker::require_given(const Value& value, const SourceRange& range, std::
     const std::vector<SlotKind> layout = types_.layout(given.type);
     const SourceRange before = emit_.location();
     emit_.set_location(range);
-    emit_.emit_pair(Op::CheckGiven, value.reg, 0, static_cast<unsigned>(layout[0]),
+    emit_.emit_pair(OpCode::CheckGiven, value.reg, 0, static_cast<unsigned>(layout[0]),
                     text_constant(name.empty() ? sources_.text(range) : name));
     emit_.set_location(before);
     return given;
@@ -34,7 +34,7 @@ void Checker::check_unset(const Value& value, std::string_view name, const Sourc
     emit_.set_location(range);
     const auto check = [&](auto&& self, Type type, Reg reg, const std::string& path) -> void {
         if (type_info(type).is_optional) return;
-        if (kind(type) == Kind::Struct) {
+        if (kind(type) == TypeKind::Struct) {
             for (const Member& member : types_.struct_of(type).members) {
                 self(self, member.type, static_cast<Reg>(reg + member.offset),
                      path + '.' + member.name);
@@ -43,7 +43,7 @@ void Checker::check_unset(const Value& value, std::string_view name, const Sourc
         }
         const std::vector<SlotKind> layout = types_.layout(type);
         if (layout.size() != 1 || layout[0] == SlotKind::Array) return;
-        emit_.emit_pair(Op::CheckGiven, reg, 0, static_cast<unsigned>(layout[0]),
+        emit_.emit_pair(OpCode::CheckGiven, reg, 0, static_cast<unsigned>(layout[0]),
                         text_constant(path));
     };
     check(check, value.type, value.reg, std::string(name));
@@ -61,7 +61,7 @@ Value Checker::given(const Expr& expr) {
         if (symbol.storage == Symbol::Storage::Local) {
             value = in_registers(symbol.type, symbol.reg);
             if (!type_info(symbol.type).is_optional && !symbol.may_be_unset &&
-                kind(symbol.type) != Kind::Struct) {
+                kind(symbol.type) != TypeKind::Struct) {
                 report(diag::AlwaysGiven, expr.range).arg(symbol.name);
                 return constant_integer(1, types::kBool);
             }
@@ -79,20 +79,20 @@ Value Checker::is_given(const Value& value) {
     if (is_error(value)) return value;
     const std::vector<SlotKind> layout = types_.layout(value.type);
     const Reg reg = emit_.take(1);
-    if (kind(value.type) != Kind::Struct) {
-        emit_.emit(Op::IsGiven, reg, value.reg, static_cast<unsigned>(layout[0]));
+    if (kind(value.type) != TypeKind::Struct) {
+        emit_.emit(OpCode::IsGiven, reg, value.reg, static_cast<unsigned>(layout[0]));
         return in_registers(types::kBool, reg);
     }
     // A point is given as soon as one of its components is. A list in a struct is there from the
     // start and tells nothing, unless there is nothing else.
     const bool has_lists_only = std::ranges::count(layout, SlotKind::Array) == std::ssize(layout);
-    emit_.emit_integer(Op::LoadI, reg, 0, 0);
+    emit_.emit_integer(OpCode::LoadI, reg, 0, 0);
     const Reg part = emit_.take(1);
     for (std::size_t i = 0; i < layout.size(); ++i) {
         if (layout[i] == SlotKind::Array && !has_lists_only) continue;
-        emit_.emit(Op::IsGiven, part, static_cast<unsigned>(value.reg + i),
+        emit_.emit(OpCode::IsGiven, part, static_cast<unsigned>(value.reg + i),
                    static_cast<unsigned>(layout[i]));
-        emit_.emit(Op::OrI, reg, reg, part);
+        emit_.emit(OpCode::OrI, reg, reg, part);
     }
     return in_registers(types::kBool, reg);
 }
@@ -109,7 +109,7 @@ Value Checker::coalesce(ExprId id, Type expected) {
         return error_value();
     }
     const bool may_be_missing =
-        type_info(value.type).is_optional || last_unset_ || kind(value.type) == Kind::Struct;
+        type_info(value.type).is_optional || last_unset_ || kind(value.type) == TypeKind::Struct;
     if (!may_be_missing) report(diag::AlwaysGiven, left.range).arg(sources_.text(left.range));
     const Type other_type = type_of(expr.child[1]);
     // `a ?? b` with an optional b stays optional.
@@ -120,11 +120,12 @@ Value Checker::coalesce(ExprId id, Type expected) {
     const Reg result = emit_.take(slots);
     copy_value(value, result);
     Label done;
-    if (kind(plain) == Kind::Struct) {
+    if (kind(plain) == TypeKind::Struct) {
         const Value answer = is_given(in_registers(plain, result));
-        emit_.jump(Op::JumpIf, done, answer.reg);
+        emit_.jump(OpCode::JumpIf, done, answer.reg);
     } else {
-        emit_.jump(Op::JumpGiven, done, result, 0, static_cast<unsigned>(types_.layout(plain)[0]));
+        emit_.jump(OpCode::JumpGiven, done, result, 0,
+                   static_cast<unsigned>(types_.layout(plain)[0]));
     }
     const Reg above = emit_.mark();
     const Value second =
@@ -179,7 +180,7 @@ void Checker::assume_given(ExprId condition, bool sense) {
     const Found found = find(text(ast()[expr.child[0]].text));
     if (found.symbol < 0) return;
     Symbol& symbol = symbols_[static_cast<std::size_t>(found.symbol)];
-    if (symbol.storage != Symbol::Storage::Local || kind(symbol.type) == Kind::Struct) return;
+    if (symbol.storage != Symbol::Storage::Local || kind(symbol.type) == TypeKind::Struct) return;
     symbol.givenness = sense ? Givenness::Given : Givenness::NotGiven;
 }
 

@@ -101,7 +101,7 @@ Done Checker::take_parts(std::span<const ExprId> bound, Reg first) {
     for (std::size_t i = 0; i < kComponents; ++i) {
         const auto reg = static_cast<Reg>(first + i);
         if (!bound[i].is_valid()) {
-            emit_.emit_number(Op::LoadF, reg, 0, 0);
+            emit_.emit_number(OpCode::LoadF, reg, 0, 0);
             continue;
         }
         const std::optional<Value> argument = numeric_argument(bound[i], "orient");
@@ -109,7 +109,7 @@ Done Checker::take_parts(std::span<const ExprId> bound, Reg first) {
         const Value value = to_real(*argument);
         const TypeInfo& info = type_info(value.type);
         const bool is_component =
-            info.kind == Kind::Real && (info.quantity.is_number() || info.quantity == kLength);
+            info.kind == TypeKind::Real && (info.quantity.is_number() || info.quantity == kLength);
         if (!is_component) {
             report(diag::DimensionMismatch, ast()[bound[i]].range)
                 .arg(kOrientNames[i])
@@ -128,10 +128,10 @@ Done Checker::take_parts(std::span<const ExprId> bound, Reg first) {
 Done Checker::take_angles(std::span<const ExprId> bound, const SourceRange& range, Reg first) {
     std::array<Value, 2> sines;
     std::array<Value, 2> cosines;
-    const auto figure = [&](Op op, const Value& angle) {
+    const auto figure = [&](OpCode op, const Value& angle) {
         if (angle.is_constant()) {
             const double number = angle.constant.number;
-            return constant_number(op == Op::SinDeg ? sin_deg(number) : cos_deg(number),
+            return constant_number(op == OpCode::SinDeg ? sin_deg(number) : cos_deg(number),
                                    types::kReal);
         }
         const Reg reg = emit_.take(1);
@@ -148,8 +148,8 @@ Done Checker::take_angles(std::span<const ExprId> bound, const SourceRange& rang
                             kOrientNames[kComponents + i]);
             if (is_error(angle)) return kFailed;
         }
-        sines[i] = figure(Op::SinDeg, angle);
-        cosines[i] = figure(Op::CosDeg, angle);
+        sines[i] = figure(OpCode::SinDeg, angle);
+        cosines[i] = figure(OpCode::CosDeg, angle);
     }
     const auto times = [&](const Value& a, const Value& b) {
         return emit_reals(Operator::Multiply, a, b, types::kReal, kNoReg, range);

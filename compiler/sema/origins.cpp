@@ -72,7 +72,7 @@ Origin Checker::origin_of_result(Operator op, const Value& left, const Value& ri
             if (right.origin == Origin::Radians) return Origin::PerRadian;
             const TypeInfo& a = type_info(left.type);
             const TypeInfo& b = type_info(right.type);
-            const bool is_ratio = a.kind == Kind::Real && b.kind == Kind::Real &&
+            const bool is_ratio = a.kind == TypeKind::Real && b.kind == TypeKind::Real &&
                                   a.quantity == b.quantity && !a.quantity.is_number() &&
                                   !right.is_constant();  // `a/1mm` makes a number on purpose
             return is_ratio ? Origin::Ratio : Origin::Any;
@@ -86,7 +86,7 @@ Origin Checker::origin_of_result(Operator op, const Value& left, const Value& ri
 /// A bare number is about to take the dimension that is wanted.
 void Checker::warn_of_origin(const Value& value, Type target, const SourceRange& range) {
     const TypeInfo& to = type_info(target);
-    const bool is_angle = to.kind == Kind::Real && to.quantity == kAngle;
+    const bool is_angle = to.kind == TypeKind::Real && to.quantity == kAngle;
     if (value.origin == Origin::Radians && is_angle) {
         report(diag::RadiansAsDegrees, range)
             .fix("say that it is in radians: `(" + std::string(sources_.text(range)) + ")*1rad`");

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegPerRad = 180.0 / 3.14159265358979323846;
 
-struct Spelling {
+struct UnitSpelling {
     syntax::Unit unit;
     std::string_view text;
     UnitInfo info;
@@ -22,27 +22,27 @@ struct Spelling {
 
 // One row a unit; the lexer knows the same spellings.
 constexpr std::array kUnits = {
-    Spelling{syntax::Unit::Mm, "mm", {kLength, 1.0}},
-    Spelling{syntax::Unit::Cm, "cm", {kLength, 10.0}},
-    Spelling{syntax::Unit::M, "m", {kLength, 1000.0}},
-    Spelling{syntax::Unit::Um, "um", {kLength, 0.001}},
-    Spelling{syntax::Unit::Inch, "in", {kLength, kMmPerInch}},
-    Spelling{syntax::Unit::Inch, "inch", {kLength, kMmPerInch}},
-    Spelling{syntax::Unit::Deg, "deg", {kAngle, 1.0}},
-    Spelling{syntax::Unit::Rad, "rad", {kAngle, kDegPerRad}},
-    Spelling{syntax::Unit::S, "s", {kTime, 1.0}},
-    Spelling{syntax::Unit::Ms, "ms", {kTime, 0.001}},
-    Spelling{syntax::Unit::Min, "min", {kTime, 60.0}},
-    Spelling{syntax::Unit::MmPerMin, "mm/min", {kFeedPerTime, 1.0 / 60.0}},
-    Spelling{syntax::Unit::MPerMin, "m/min", {kFeedPerTime, 1000.0 / 60.0}},
-    Spelling{syntax::Unit::InchPerMin, "in/min", {kFeedPerTime, kMmPerInch / 60.0}},
-    Spelling{syntax::Unit::InchPerMin, "inch/min", {kFeedPerTime, kMmPerInch / 60.0}},
-    Spelling{syntax::Unit::MmPerS, "mm/s", {kFeedPerTime, 1.0}},
-    Spelling{syntax::Unit::MmPerRev, "mm/rev", {kFeedPerTurn, 1.0}},
-    Spelling{syntax::Unit::InchPerRev, "in/rev", {kFeedPerTurn, kMmPerInch}},
-    Spelling{syntax::Unit::InchPerRev, "inch/rev", {kFeedPerTurn, kMmPerInch}},
-    Spelling{syntax::Unit::Rpm, "rpm", {kSpindleSpeed, 1.0 / 60.0}},
-    Spelling{syntax::Unit::Percent, "%", {kNumber, 0.01}},
+    UnitSpelling{syntax::Unit::Mm, "mm", {kLength, 1.0}},
+    UnitSpelling{syntax::Unit::Cm, "cm", {kLength, 10.0}},
+    UnitSpelling{syntax::Unit::M, "m", {kLength, 1000.0}},
+    UnitSpelling{syntax::Unit::Um, "um", {kLength, 0.001}},
+    UnitSpelling{syntax::Unit::Inch, "in", {kLength, kMmPerInch}},
+    UnitSpelling{syntax::Unit::Inch, "inch", {kLength, kMmPerInch}},
+    UnitSpelling{syntax::Unit::Deg, "deg", {kAngle, 1.0}},
+    UnitSpelling{syntax::Unit::Rad, "rad", {kAngle, kDegPerRad}},
+    UnitSpelling{syntax::Unit::S, "s", {kTime, 1.0}},
+    UnitSpelling{syntax::Unit::Ms, "ms", {kTime, 0.001}},
+    UnitSpelling{syntax::Unit::Min, "min", {kTime, 60.0}},
+    UnitSpelling{syntax::Unit::MmPerMin, "mm/min", {kFeedPerTime, 1.0 / 60.0}},
+    UnitSpelling{syntax::Unit::MPerMin, "m/min", {kFeedPerTime, 1000.0 / 60.0}},
+    UnitSpelling{syntax::Unit::InchPerMin, "in/min", {kFeedPerTime, kMmPerInch / 60.0}},
+    UnitSpelling{syntax::Unit::InchPerMin, "inch/min", {kFeedPerTime, kMmPerInch / 60.0}},
+    UnitSpelling{syntax::Unit::MmPerS, "mm/s", {kFeedPerTime, 1.0}},
+    UnitSpelling{syntax::Unit::MmPerRev, "mm/rev", {kFeedPerTurn, 1.0}},
+    UnitSpelling{syntax::Unit::InchPerRev, "in/rev", {kFeedPerTurn, kMmPerInch}},
+    UnitSpelling{syntax::Unit::InchPerRev, "inch/rev", {kFeedPerTurn, kMmPerInch}},
+    UnitSpelling{syntax::Unit::Rpm, "rpm", {kSpindleSpeed, 1.0 / 60.0}},
+    UnitSpelling{syntax::Unit::Percent, "%", {kNumber, 0.01}},
 };
 
 std::int8_t narrow(int value) { return static_cast<std::int8_t>(value); }
@@ -151,14 +151,14 @@ double bare_factor(Quantity q, Units units) {
 }
 
 UnitInfo unit_info(syntax::Unit unit) {
-    for (const Spelling& row : kUnits) {
+    for (const UnitSpelling& row : kUnits) {
         if (row.unit == unit) return row.info;
     }
     return {kNumber, 1.0};
 }
 
 std::optional<UnitInfo> find_unit(std::string_view text) {
-    for (const Spelling& row : kUnits) {
+    for (const UnitSpelling& row : kUnits) {
         if (row.text == text) return row.info;
     }
     return std::nullopt;

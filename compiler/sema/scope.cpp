@@ -77,7 +77,7 @@ void Checker::check_new_name(std::string_view name, const SourceRange& range) {
 
 Symbol& Checker::add_symbol(const Symbol& symbol) {
     // `RETURN n;` declares nothing: what its type is, is reported.
-    if (kind(symbol.type) != Kind::Error) check_new_name(symbol.name, symbol.range);
+    if (kind(symbol.type) != TypeKind::Error) check_new_name(symbol.name, symbol.range);
     visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
     const bool varies =
         symbol.is_parameter || symbol.may_be_unset || type_info(symbol.type).is_optional;
@@ -99,8 +99,8 @@ void Checker::leave_scope(std::size_t symbols) {
 /// end, if there was no error: what a mistake has cost may have read it.
 void Checker::report_unused(const Symbol& symbol) {
     const bool is_asked = !symbol.is_parameter && !symbol.is_loop_variable && !symbol.is_read;
-    if (!is_asked || symbol.name.empty() || kind(symbol.type) == Kind::Error) return;
-    if (kind(symbol.type) == Kind::Execution) return;  // executing it may be all that is wanted
+    if (!is_asked || symbol.name.empty() || kind(symbol.type) == TypeKind::Error) return;
+    if (kind(symbol.type) == TypeKind::Execution) return;  // executing it may be all that is wanted
     // A library's own matter; and in a broken text, what is missing may have read it.
     if (module_ != 0 || function_ == nullptr || ast().has_errors) return;
     unused_.push_back({symbol.range, symbol.name});

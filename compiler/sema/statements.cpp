@@ -81,8 +81,8 @@ Checker::Completion Checker::statement(StmtId id) {
             break;
         case StmtKind::Words: words_statement(stmt); break;
         case StmtKind::With: completion = with_statement(stmt); break;
-        case StmtKind::Note: text_statement(stmt, Op::EmitText, 0); break;
-        case StmtKind::Raw: text_statement(stmt, Op::EmitText, 1); break;
+        case StmtKind::Note: text_statement(stmt, OpCode::EmitText, 0); break;
+        case StmtKind::Raw: text_statement(stmt, OpCode::EmitText, 1); break;
         case StmtKind::Units: {
             const std::string_view name = text(stmt.text);
             const Units asked = name == "mm" ? Units::Metric : Units::Inch;
@@ -94,13 +94,13 @@ Checker::Completion Checker::statement(StmtId id) {
         case StmtKind::Require: check_statement(stmt, true); break;
         case StmtKind::Assert: check_statement(stmt, false); break;
         case StmtKind::ErrorStmt:
-            text_statement(stmt, Op::UserError, 0);
+            text_statement(stmt, OpCode::UserError, 0);
             completion = Completion::Abrupt;
             break;
-        case StmtKind::WarnStmt: text_statement(stmt, Op::UserWarning, 0); break;
+        case StmtKind::WarnStmt: text_statement(stmt, OpCode::UserWarning, 0); break;
         case StmtKind::Close:
             if (contour_depth_ == 0) report(diag::CloseOutside, stmt.range);
-            emit_.emit(Op::CloseContour);
+            emit_.emit(OpCode::CloseContour);
             break;
         case StmtKind::Assume: assume_statement(stmt); break;
         case StmtKind::Expect: expect_statement(stmt); break;
@@ -132,11 +132,11 @@ void Checker::variable(const Decl& decl) {
     if (decl.value.is_valid()) {
         symbol.is_row = is_as_given(decl.value);
         const SourceRange range = ast()[decl.value].range;
-        if (decl.type.is_valid() && kind(symbol.type) != Kind::Error) {
+        if (decl.type.is_valid() && kind(symbol.type) != TypeKind::Error) {
             const std::uint16_t slots = type_info(symbol.type).slots;
             const Reg mark = emit_.mark();
             symbol.reg = emit_.take(slots);
-            const bool is_single = slots == 1 && kind(symbol.type) != Kind::Array;
+            const bool is_single = slots == 1 && kind(symbol.type) != TypeKind::Array;
             const Value value =
                 expression(decl.value, symbol.type, is_single ? symbol.reg : kNoReg);
             if (is_plain_number(value)) symbol.origin = value.origin;
@@ -154,7 +154,7 @@ void Checker::variable(const Decl& decl) {
         } else {
             const Reg mark = emit_.mark();
             const Value value = expression(decl.value, symbol.type);
-            if (kind(value.type) == Kind::Void) {
+            if (kind(value.type) == TypeKind::Void) {
                 report(diag::VoidValue, range);
                 symbol.type = types::kError;
             } else if (!decl.type.is_valid()) {
@@ -168,9 +168,10 @@ void Checker::variable(const Decl& decl) {
             } else {
                 const std::uint16_t slots = type_info(symbol.type).slots;
                 const Reg above = emit_.take(slots);
-                if (!is_error(value) && kind(value.type) != Kind::Void) copy_value(value, above);
+                if (!is_error(value) && kind(value.type) != TypeKind::Void)
+                    copy_value(value, above);
                 if (above != mark && slots > 0) {
-                    emit_.emit(slots == 1 ? Op::Move : Op::MoveN, mark, above,
+                    emit_.emit(slots == 1 ? OpCode::Move : OpCode::MoveN, mark, above,
                                slots == 1 ? 0u : slots);
                 }
                 emit_.release_to(mark);
@@ -183,12 +184,12 @@ void Checker::variable(const Decl& decl) {
         symbol.reg = emit_.take(type_info(symbol.type).slots);
         if (is_optional_type(decl)) emit_unset(symbol.type, symbol.reg);
         else emit_initial(symbol.type, symbol.reg);
-        const Kind k = kind(symbol.type);
+        const TypeKind k = kind(symbol.type);
         symbol.may_be_unset =
-            k != Kind::Array && k != Kind::Error && !type_info(symbol.type).is_optional;
-        symbol.givenness = k == Kind::Array || k == Kind::Error ? Givenness::Given
-                           : k == Kind::Struct                  ? Givenness::Perhaps
-                                                                : Givenness::NotGiven;
+            k != TypeKind::Array && k != TypeKind::Error && !type_info(symbol.type).is_optional;
+        symbol.givenness = k == TypeKind::Array || k == TypeKind::Error ? Givenness::Given
+                           : k == TypeKind::Struct                      ? Givenness::Perhaps
+                                                                        : Givenness::NotGiven;
     }
     declared_ = outer;
     add_symbol(symbol);
@@ -228,7 +229,7 @@ Checker::Completion Checker::if_statement(const Stmt& stmt) {
     jump_if(condition, false, otherwise);
     // What a constant condition excludes is still checked, but does not count for the flow.
     const bool never = otherwise.pending.size() == 1 && emit_.here() == start + 1 &&
-                       code_->instructions[start].op == Op::Jump;
+                       code_->instructions[start].op == OpCode::Jump;
     const bool always = otherwise.pending.empty() && emit_.here() == start;
     assume_given(condition, true);
     const bool then_ends = statement(stmt.statement[0]) == Completion::Normal;
@@ -241,7 +242,7 @@ Checker::Completion Checker::if_statement(const Stmt& stmt) {
         return completion(!always || then_ends || ast()[condition].kind != ExprKind::Bool);
     }
     Label done;
-    if (then_ends) emit_.jump(Op::Jump, done);
+    if (then_ends) emit_.jump(OpCode::Jump, done);
     emit_.bind(otherwise);
     const bool else_ends = statement(stmt.statement[1]) == Completion::Normal;
     emit_.bind(done);
@@ -254,9 +255,10 @@ Checker::Completion Checker::if_statement(const Stmt& stmt) {
 Checker::Completion Checker::switch_statement(const Stmt& stmt) {
     const SourceRange range = ast()[stmt.expression[0]].range;
     const Value chosen = require_given(expression(stmt.expression[0]), range, {});
-    const Kind k = kind(chosen.type);
-    const bool fits = k == Kind::Int || k == Kind::Enum || k == Kind::String || k == Kind::Bool;
-    if (!fits && k != Kind::Error) report(diag::SwitchType, range).arg(type_name(chosen.type));
+    const TypeKind k = kind(chosen.type);
+    const bool fits =
+        k == TypeKind::Int || k == TypeKind::Enum || k == TypeKind::String || k == TypeKind::Bool;
+    if (!fits && k != TypeKind::Error) report(diag::SwitchType, range).arg(type_name(chosen.type));
     Value value = chosen;
     if (fits) {
         const Reg kept = emit_.take(1);
@@ -294,7 +296,7 @@ Checker::Completion Checker::switch_statement(const Stmt& stmt) {
                                                   value.type, at, "the case")
                                         : first;
             if (!fits || is_error(first) || is_error(last)) continue;
-            if (!first.is_constant() || !last.is_constant() || (is_range && k != Kind::Int)) {
+            if (!first.is_constant() || !last.is_constant() || (is_range && k != TypeKind::Int)) {
                 report(diag::NotConstant, at).arg("a case");
                 continue;
             }
@@ -309,29 +311,29 @@ Checker::Completion Checker::switch_statement(const Stmt& stmt) {
             }
             choices.push_back({first.constant.integer, last.constant.integer, at});
             const Reg mark = emit_.mark();
-            if (k == Kind::String) {
+            if (k == TypeKind::String) {
                 const Reg order = emit_.take(1);
-                emit_.emit(Op::CompareText, order, value.reg, in_register(first));
-                emit_.jump(Op::JumpEqIK, labels[i], order);
+                emit_.emit(OpCode::CompareText, order, value.reg, in_register(first));
+                emit_.jump(OpCode::JumpEqIK, labels[i], order);
             } else if (is_range) {
                 Label next;
                 const Reg low = in_register(first);
                 const Reg high = in_register(last);
-                emit_.jump(Op::JumpLtI, next, value.reg, low);
-                emit_.jump(Op::JumpLeI, labels[i], value.reg, high);
+                emit_.jump(OpCode::JumpLtI, next, value.reg, low);
+                emit_.jump(OpCode::JumpLeI, labels[i], value.reg, high);
                 emit_.bind(next);
             } else if (first.constant.integer >= -32768 && first.constant.integer <= 32767) {
                 emit_.jump(
-                    Op::JumpEqIK, labels[i], value.reg, 0,
+                    OpCode::JumpEqIK, labels[i], value.reg, 0,
                     static_cast<std::uint16_t>(static_cast<std::int16_t>(first.constant.integer)));
             } else {
-                emit_.jump(Op::JumpEqI, labels[i], value.reg, in_register(first));
+                emit_.jump(OpCode::JumpEqI, labels[i], value.reg, in_register(first));
             }
             emit_.release_to(mark);
         }
     }
-    if (default_case >= 0) emit_.jump(Op::Jump, labels[static_cast<std::size_t>(default_case)]);
-    else emit_.jump(Op::Jump, done);
+    if (default_case >= 0) emit_.jump(OpCode::Jump, labels[static_cast<std::size_t>(default_case)]);
+    else emit_.jump(OpCode::Jump, done);
 
     loops_.push_back({&done, nullptr, with_depth_});
     const std::vector<Givenness> before = remember_givenness();
@@ -360,10 +362,10 @@ void Checker::leave_function(const SourceRange& range) {
     const SourceRange before = emit_.location();
     emit_.set_location(range);
     if (with_depth_ > 0) {
-        emit_.emit_pair(Op::LeaveWith, 0, 0, static_cast<unsigned>(with_depth_), 0,
+        emit_.emit_pair(OpCode::LeaveWith, 0, 0, static_cast<unsigned>(with_depth_), 0,
                         statement_id(range));
     }
-    if (has_preserves_) emit_.emit(Op::CheckPreserves);
+    if (has_preserves_) emit_.emit(OpCode::CheckPreserves);
     emit_.set_location(before);
 }
 
@@ -374,13 +376,13 @@ void Checker::return_statement(const Stmt& stmt) {
     }
     const Type result = function_ != nullptr ? function_->result : types::kVoid;
     if (!stmt.expression[0].is_valid()) {
-        if (result != types::kVoid && kind(result) != Kind::Error) {
+        if (result != types::kVoid && kind(result) != TypeKind::Error) {
             report(diag::ReturnWithoutValue, stmt.range)
                 .arg(function_->name)
                 .arg(type_name(result));
         }
         leave_function(stmt.range);
-        emit_.emit(Op::Return, 0, 0, 0);
+        emit_.emit(OpCode::Return, 0, 0, 0);
         return;
     }
     const SourceRange range = ast()[stmt.expression[0]].range;
@@ -407,7 +409,7 @@ void Checker::return_statement(const Stmt& stmt) {
         reg = value.reg;
     }
     leave_function(stmt.range);
-    emit_.emit(Op::Return, reg, 0, slots);
+    emit_.emit(OpCode::Return, reg, 0, slots);
 }
 
 bool Checker::is_own_local(ExprId id) const {
@@ -429,22 +431,23 @@ void Checker::check_statement(const Stmt& stmt, bool is_require) {
         if (!is_error(value)) copy_value(value, reg);
     }
     emit_.set_location(stmt.range);
-    emit_.emit_pair(is_require ? Op::RequireFailed : Op::AssertFailed, reg, has_text ? 0 : 1, 0,
+    emit_.emit_pair(is_require ? OpCode::RequireFailed : OpCode::AssertFailed, reg,
+                    has_text ? 0 : 1, 0,
                     text_constant(sources_.text(ast()[stmt.expression[0]].range)));
     emit_.bind(good);
     // Behind `require(given b)`, b is given.
     assume_given(stmt.expression[0], true);
 }
 
-void Checker::text_statement(const Stmt& stmt, Op op, unsigned kind_of_text) {
+void Checker::text_statement(const Stmt& stmt, OpCode op, unsigned kind_of_text) {
     const SourceRange range = ast()[stmt.expression[0]].range;
     Value value =
         text_of(require_given(expression(stmt.expression[0], types::kString), range, {}), range);
     if (is_error(value)) return;
     const Reg reg = in_register(value);
     emit_.set_location(stmt.range);
-    if (op == Op::EmitText && is_in_test()) report_test_block(stmt.range);
-    if (op == Op::EmitText) {
+    if (op == OpCode::EmitText && is_in_test()) report_test_block(stmt.range);
+    if (op == OpCode::EmitText) {
         emit_.emit_pair(op, reg, kind_of_text, static_cast<unsigned>(loop_depth_), 0,
                         statement_id(stmt.range));
     } else {

@@ -162,14 +162,15 @@ void Checker::property_ranges(std::uint32_t index) {
         const TypeInfo info = type_info(parameter.type);
         const ExprId given = ast()[ids[i]].value;
         const bool is_plain = !info.is_optional && !parameter.is_reference;
-        const bool is_listed = info.kind == Kind::Bool || info.kind == Kind::Enum;
-        const bool is_family = info.kind == Kind::Feed || info.kind == Kind::Speed;
-        const bool is_number = info.kind == Kind::Int || info.kind == Kind::Real || is_family;
-        if (info.kind == Kind::Error || (is_plain && is_listed && !given.is_valid())) continue;
+        const bool is_listed = info.kind == TypeKind::Bool || info.kind == TypeKind::Enum;
+        const bool is_family = info.kind == TypeKind::Feed || info.kind == TypeKind::Speed;
+        const bool is_number =
+            info.kind == TypeKind::Int || info.kind == TypeKind::Real || is_family;
+        if (info.kind == TypeKind::Error || (is_plain && is_listed && !given.is_valid())) continue;
         const bool has_range = given.is_valid() && ast()[given].kind == ExprKind::Range;
-        Quantity quantity = info.kind == Kind::Feed    ? kFeedPerTime
-                            : info.kind == Kind::Speed ? kSpindleSpeed
-                                                       : info.quantity;
+        Quantity quantity = info.kind == TypeKind::Feed    ? kFeedPerTime
+                            : info.kind == TypeKind::Speed ? kSpindleSpeed
+                                                           : info.quantity;
         if (!is_plain || !is_number || !has_range || !can_be_written(quantity)) {
             report(diag::PropertyValues, parameter.range).arg(parameter.name);
             continue;
@@ -187,15 +188,15 @@ void Checker::property_ranges(std::uint32_t index) {
             report(diag::PropertyValues, parameter.range).arg(parameter.name);
             continue;
         }
-        const bool is_empty = info.kind == Kind::Int ? range.from.integer > range.to.integer
-                                                     : range.from.number > range.to.number;
+        const bool is_empty = info.kind == TypeKind::Int ? range.from.integer > range.to.integer
+                                                         : range.from.number > range.to.number;
         if (is_empty) {
             report(diag::PropertyRange, ast()[given].range)
                 .arg(parameter.name)
                 .arg(sources_.text(ast()[first].range))
                 .arg(sources_.text(ast()[last].range));
         }
-        if (is_second) quantity = info.kind == Kind::Feed ? kFeedPerTurn : kFeedPerTime;
+        if (is_second) quantity = info.kind == TypeKind::Feed ? kFeedPerTurn : kFeedPerTime;
         range.unit = unit_text(quantity, units_);
         range.factor = bare_factor(quantity, units_) * (is_second ? kSecondForm : 1.0);
     }
@@ -226,7 +227,7 @@ std::optional<Value> Checker::test_builtin(std::string_view name, const Expr& ex
     const bool is_list = name == "dialects";
     const Type type = is_list ? types_.array(types::kString, -1) : types::kString;
     const Reg reg = emit_.take(1);
-    emit_.emit(Op::TestDialects, reg, is_list ? layout_constant(types::kString) : 0,
+    emit_.emit(OpCode::TestDialects, reg, is_list ? layout_constant(types::kString) : 0,
                is_list ? 1 : 0);
     Value value = in_registers(type, reg);
     value.is_fresh = true;
@@ -245,7 +246,7 @@ std::optional<std::uint32_t> Checker::test_subject(std::string_view name, ExprId
             const bool refers =
                 std::any_of(function.parameters.begin(), function.parameters.end(),
                             [](const ParameterDecl& parameter) { return parameter.is_reference; });
-            if (kind(function.result) == Kind::Void && !refers) {
+            if (kind(function.result) == TypeKind::Void && !refers) {
                 if (!function.is_wanted) wanted_.push_back(index);
                 function.is_wanted = true;
                 return index;
@@ -292,10 +293,11 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
     const auto option = [&](std::string_view wanted, Type type, unsigned position) {
         const auto reg = static_cast<Reg>(base + position);
         if (argument(wanted).is_valid()) expression_in(argument(wanted), type, reg, wanted);
-        else if (type == types::kString) emit_.emit_integer(Op::LoadI, reg, 0, kNotGivenInteger);
+        else if (type == types::kString)
+            emit_.emit_integer(OpCode::LoadI, reg, 0, kNotGivenInteger);
         else {
             for (unsigned i = 0; i < type_info(type).slots; ++i)
-                emit_.emit_number(Op::LoadF, reg + i, 0, kNotGivenNumber);
+                emit_.emit_number(OpCode::LoadF, reg + i, 0, kNotGivenNumber);
         }
     };
     option("at", types::kPoint, 0);
@@ -320,9 +322,9 @@ Value Checker::test_call(TestCall::Purpose purpose, std::string_view name, const
         }
     }
     emit_.set_location(call.range);
-    emit_.emit_pair(Op::TestCall, base, 0, 0, statement_id(call.range),
+    emit_.emit_pair(OpCode::TestCall, base, 0, 0, statement_id(call.range),
                     static_cast<std::int64_t>(code_->test_calls.size()));
-    emit_.emit(Op::Finish);
+    emit_.emit(OpCode::Finish);
     code_->test_calls.push_back(std::move(entry));
     const Type result = purpose == Purpose::Text          ? types::kString
                         : purpose == Purpose::ExpectError ? types::kVoid
@@ -349,7 +351,7 @@ Done Checker::take_figure_arguments(const FigureInfo& info, const Expr& call, Re
         if ((*bound)[i].is_valid()) {
             expression_in((*bound)[i], type, reg, parameter.name);
         } else if (parameter.is_optional) {
-            emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
+            emit_.emit_number(OpCode::LoadF, reg, 0, kNotGivenNumber);
         } else {
             report(diag::ArgumentMissing, call.range).arg(info.name).arg(parameter.name);
             taken = kFailed;
@@ -412,7 +414,7 @@ Value Checker::figure(const Lvalue& execution, const Expr& member, const Expr* c
             layout = layout_constant(types::kLengthType);
             break;
     }
-    emit_.emit_pair(Op::Figure, first, handle.reg, static_cast<unsigned>(info->figure), layout);
+    emit_.emit_pair(OpCode::Figure, first, handle.reg, static_cast<unsigned>(info->figure), layout);
     emit_.release_to(static_cast<Reg>(first + slots));
     Value value = in_registers(type, first);
     value.is_fresh = true;
@@ -428,7 +430,7 @@ void Checker::assume_statement(const Stmt& stmt) {
     }
     Label good;
     jump_if(stmt.expression[0], true, good);
-    emit_.emit(Op::AssumeFailed);
+    emit_.emit(OpCode::AssumeFailed);
     emit_.bind(good);
     assume_given(stmt.expression[0], true);
 }
@@ -456,13 +458,13 @@ void Checker::expectation(ExprId id) {
     const auto reason = [&] { return asked_figures_ > asked ? kHasReason : std::uint16_t{0}; };
     const auto untrue = [&](Expectation why, Reg value) {
         emit_.set_location(expr.range);
-        emit_.emit_pair(Op::ExpectFailed, value, 0, static_cast<unsigned>(why) | reason(),
+        emit_.emit_pair(OpCode::ExpectFailed, value, 0, static_cast<unsigned>(why) | reason(),
                         text_constant(quoted(one_line(sources_.text(expr.range)))));
     };
     if (is_binary && is_comparison(expr.op)) {
         expect_comparison(expr);
     } else if (is_binary && expr.op == Operator::Contains &&
-               kind(type_of(expr.child[0])) == Kind::String) {
+               kind(type_of(expr.child[0])) == TypeKind::String) {
         const SourceRange range = ast()[expr.child[1]].range;
         const Value whole =
             require_given(expression(expr.child[0]), ast()[expr.child[0]].range, {});
@@ -473,8 +475,8 @@ void Checker::expectation(ExprId id) {
             const Reg text = in_register(whole);
             const Reg wanted = in_register(part);
             const Reg answer = emit_.take(1);
-            emit_.emit(Op::ContainsText, answer, text, wanted);
-            emit_.jump(Op::JumpIf, good, answer);
+            emit_.emit(OpCode::ContainsText, answer, text, wanted);
+            emit_.jump(OpCode::JumpIf, good, answer);
             untrue(Expectation::UntrueOfText, text);
             emit_.bind(good);
         }
@@ -489,17 +491,17 @@ void Checker::expectation(ExprId id) {
 
 bool Checker::is_measured(Type type) const {
     const TypeInfo& info = type_info(type);
-    return info.kind == Kind::Real &&
+    return info.kind == TypeKind::Real &&
            (info.quantity == kLength || info.quantity == kAngle || info.quantity == kTime);
 }
 
 void Checker::jump_if_near(Reg a, Reg b, Label& near) {
     const Reg way = emit_.take(1);
     const Reg most = emit_.take(1);
-    emit_.emit(Op::SubF, way, a, b);
-    emit_.emit(Op::Math1, way, way, static_cast<unsigned>(Math::Abs));
-    emit_.emit_number(Op::LoadF, most, 0, kExpectTolerance);
-    emit_.jump(Op::JumpLeF, near, way, most);
+    emit_.emit(OpCode::SubF, way, a, b);
+    emit_.emit(OpCode::Math1, way, way, static_cast<unsigned>(Math::Abs));
+    emit_.emit_number(OpCode::LoadF, most, 0, kExpectTolerance);
+    emit_.jump(OpCode::JumpLeF, near, way, most);
 }
 
 /// Jumps to `good` if both sides are as the operator wants, within the tolerance of tests.
@@ -513,21 +515,21 @@ Done Checker::emit_agreement(const Expr& expr, const Value& left, const Value& r
             const auto a = static_cast<Reg>(left.reg + i);
             const auto b = static_cast<Reg>(right.reg + i);
             const Reg same = emit_.take(1);
-            emit_.emit(Op::EqualPart, same, a, b).immediate.pair = {
+            emit_.emit(OpCode::EqualPart, same, a, b).immediate.pair = {
                 static_cast<std::int32_t>(SlotKind::Number), 0};
-            emit_.jump(Op::JumpIf, next, same);
+            emit_.jump(OpCode::JumpIf, next, same);
             // A part that only one of them has never agrees.
             Label apart;
             for (const Reg part : {a, b}) {
-                emit_.jump(Op::JumpNotGiven, apart, part, 0,
+                emit_.jump(OpCode::JumpNotGiven, apart, part, 0,
                            static_cast<unsigned>(SlotKind::Number));
             }
             jump_if_near(a, b, next);
             emit_.bind(apart);
-            emit_.jump(Op::Jump, op == Operator::Equal ? differs : good);
+            emit_.jump(OpCode::Jump, op == Operator::Equal ? differs : good);
             emit_.bind(next);
         }
-        if (op == Operator::Equal) emit_.jump(Op::Jump, good);
+        if (op == Operator::Equal) emit_.jump(OpCode::Jump, good);
         emit_.bind(differs);
         return kDone;
     }
@@ -545,15 +547,15 @@ Done Checker::emit_agreement(const Expr& expr, const Value& left, const Value& r
     } else if (op == Operator::NotEqual) {
         Label near;
         jump_if_near(a, b, near);
-        emit_.jump(Op::Jump, good);
+        emit_.jump(OpCode::Jump, good);
         emit_.bind(near);
     } else {
         const Reg beyond = emit_.take(1);
         const Reg most = emit_.take(1);
         const bool is_upper = op == Operator::LessEqual;
-        emit_.emit(Op::SubF, beyond, is_upper ? a : b, is_upper ? b : a);
-        emit_.emit_number(Op::LoadF, most, 0, kExpectTolerance);
-        emit_.jump(Op::JumpLeF, good, beyond, most);
+        emit_.emit(OpCode::SubF, beyond, is_upper ? a : b, is_upper ? b : a);
+        emit_.emit_number(OpCode::LoadF, most, 0, kExpectTolerance);
+        emit_.jump(OpCode::JumpLeF, good, beyond, most);
     }
     return kDone;
 }
@@ -563,7 +565,7 @@ void Checker::expect_comparison(const Expr& expr) {
     std::optional<Sides> sides = compared_sides(expr);
     if (!sides) return;
     if (types_.is_numeric(sides->left.type) && types_.is_numeric(sides->right.type) &&
-        kind(sides->left.type) != Kind::Int) {
+        kind(sides->left.type) != TypeKind::Int) {
         // A bare number shows the unit that it gets.
         if (is_plain_number(sides->right) && sides->right.is_constant())
             sides->right = adapt_number(sides->right, sides->left.type);
@@ -590,7 +592,7 @@ void Checker::expect_comparison(const Expr& expr) {
     emit_.set_location(expr.range);
     const std::uint16_t reason = asked_figures_ > asked ? kHasReason : 0;
     emit_.emit_pair(
-        Op::ExpectFailed, is, should, static_cast<unsigned>(Expectation::Compared) | reason,
+        OpCode::ExpectFailed, is, should, static_cast<unsigned>(Expectation::Compared) | reason,
         text_constant(quoted(one_line(sources_.text(ast()[seen].range)))), text_constant(words));
     emit_.bind(good);
 }
@@ -603,7 +605,7 @@ void Checker::append_shown(const Value& value, FormatPattern& pattern) {
         pattern.push_back(std::move(piece));
     };
     const TypeInfo info = type_info(types_.given(value.type));
-    if (info.kind == Kind::Struct) {
+    if (info.kind == TypeKind::Struct) {
         literal("{");
         bool is_first = true;
         for (const Member& member : std::vector<Member>(types_.struct_of(value.type).members)) {
@@ -615,18 +617,18 @@ void Checker::append_shown(const Value& value, FormatPattern& pattern) {
         return;
     }
     FormatPiece piece;
-    if (info.kind == Kind::String) literal("\"");
+    if (info.kind == TypeKind::String) literal("\"");
     if (!read_format(value, {}, emit_.location(), piece)) return;
     add_unit(value.type, "", piece);
     pattern.push_back(std::move(piece));
-    if (info.kind == Kind::String) literal("\"");
+    if (info.kind == TypeKind::String) literal("\"");
 }
 
 Reg Checker::shown(const Value& value) {
     FormatPattern pattern;
     append_shown(value, pattern);
     const Reg reg = emit_.take(1);
-    emit_.emit_pair(Op::Format, reg, in_register(value), 0,
+    emit_.emit_pair(OpCode::Format, reg, in_register(value), 0,
                     static_cast<std::int64_t>(code_->formats.size()));
     code_->formats.push_back(std::move(pattern));
     return reg;

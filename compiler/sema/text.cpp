@@ -20,15 +20,15 @@ std::uint32_t Checker::text_constant(std::string_view text) {
 std::uint32_t Checker::layout_constant(Type type) {
     const auto known = layout_index_.find(type.index);
     if (known != layout_index_.end()) return known->second;
-    Layout layout;
+    ElementLayout layout;
     layout.slots = types_.layout(type);
     layout.nested.resize(layout.slots.size(), 0);
     const auto fill = [&](auto&& self, Type inner, std::size_t at) -> void {
         const TypeInfo info = type_info(inner);
-        if (info.kind == Kind::Array) {
+        if (info.kind == TypeKind::Array) {
             // A struct that holds an array of itself has one layout, known by its type.
             layout.nested[at] = layout_constant(info.element);
-        } else if (info.kind == Kind::Struct) {
+        } else if (info.kind == TypeKind::Struct) {
             for (const Member& member : types_.struct_of(inner).members) {
                 self(self, member.type, at + member.offset);
             }
@@ -47,31 +47,31 @@ Done Checker::read_format(const Value& value, std::string_view format, const Sou
     const TypeInfo info = type_info(types_.given(value.type));
     using K = FormatPiece::Kind;
     switch (info.kind) {
-        case Kind::Bool: piece.kind = K::Bool; break;
-        case Kind::Int: piece.kind = K::Integer; break;
-        case Kind::Real:
+        case TypeKind::Bool: piece.kind = K::Bool; break;
+        case TypeKind::Int: piece.kind = K::Integer; break;
+        case TypeKind::Real:
             piece.kind = K::Number;
             set_factor(info.quantity, piece);
             break;
-        case Kind::Feed:
+        case TypeKind::Feed:
             piece.kind = K::Feed;
             set_factor(kFeedPerTime, piece);
             break;
-        case Kind::Speed:
+        case TypeKind::Speed:
             piece.kind = K::Speed;
             set_factor(kSpindleSpeed, piece);
             break;
-        case Kind::String: piece.kind = K::Text; break;
-        case Kind::Enum:
+        case TypeKind::String: piece.kind = K::Text; break;
+        case TypeKind::Enum:
             piece.kind = K::Enum;
             piece.enumeration = info.definition;
             break;
-        case Kind::Error: return kFailed;
-        case Kind::Void:
-        case Kind::Struct:
-        case Kind::Array:
-        case Kind::Range:
-        case Kind::Execution:
+        case TypeKind::Error: return kFailed;
+        case TypeKind::Void:
+        case TypeKind::Struct:
+        case TypeKind::Array:
+        case TypeKind::Range:
+        case TypeKind::Execution:
             report(diag::NotPrintable, range).arg(type_name(value.type));
             return kFailed;
     }
@@ -131,12 +131,12 @@ void Checker::add_unit(Type type, std::string_view between, Units units,
         if (!unit.empty()) unit.insert(0, between);
     };
     const TypeInfo info = type_info(types_.given(type));
-    if (info.kind == Kind::Real) add(info.quantity, scale.unit);
-    if (info.kind == Kind::Feed) {
+    if (info.kind == TypeKind::Real) add(info.quantity, scale.unit);
+    if (info.kind == TypeKind::Feed) {
         add(kFeedPerTime, scale.unit);
         add(kFeedPerTurn, scale.second_unit);
     }
-    if (info.kind == Kind::Speed) {
+    if (info.kind == TypeKind::Speed) {
         add(kSpindleSpeed, scale.unit);
         scale.second_unit = std::string(between) + "m/min";
     }
@@ -190,18 +190,19 @@ Value Checker::string(ExprId id, Reg hint) {
     emit_.release_to(static_cast<Reg>(target + 1));
     const Reg reg = hint != kNoReg ? hint : target;
     if (hint != kNoReg) emit_.release_to(mark);
-    emit_.emit_pair(Op::Format, reg, first, 0, static_cast<std::int64_t>(code_->formats.size()));
+    emit_.emit_pair(OpCode::Format, reg, first, 0,
+                    static_cast<std::int64_t>(code_->formats.size()));
     code_->formats.push_back(std::move(pattern));
     return in_registers(types::kString, reg);
 }
 
 Value Checker::text_of(const Value& value, const SourceRange& range) {
-    if (is_error(value) || kind(value.type) == Kind::String) return value;
+    if (is_error(value) || kind(value.type) == TypeKind::String) return value;
     FormatPiece piece;
     if (!read_format(value, {}, range, piece)) return error_value();
     const Reg from = in_register(value);
     const Reg reg = emit_.take(1);
-    emit_.emit_pair(Op::Format, reg, from, 0, static_cast<std::int64_t>(code_->formats.size()));
+    emit_.emit_pair(OpCode::Format, reg, from, 0, static_cast<std::int64_t>(code_->formats.size()));
     code_->formats.push_back({std::move(piece)});
     return in_registers(types::kString, reg);
 }
@@ -219,14 +220,14 @@ std::uint32_t Checker::shown_form(Type type, bool is_part) {
     ShownForm form;
     form.slot = types_.layout(type)[0];
     const TypeInfo info = type_info(type);
-    if (info.kind == Kind::Struct) {
+    if (info.kind == TypeKind::Struct) {
         form.kind = ShownForm::Kind::Members;
         for (const Member& member : std::vector<Member>(types_.struct_of(type).members))
             form.parts.push_back({member.name, member.offset, shown_form(member.type, true)});
     } else if (info.is_contour) {
         form.kind = ShownForm::Kind::Contour;
         form.parts.push_back({{}, 0, shown_form(types::kPoint, true)});
-    } else if (info.kind == Kind::Array) {
+    } else if (info.kind == TypeKind::Array) {
         form.kind = ShownForm::Kind::List;
         form.parts.push_back({{}, 0, shown_form(info.element, true)});
     } else if (read_format(in_registers(type, 0), {}, emit_.location(), form.piece)) {
@@ -248,8 +249,8 @@ void Checker::show(ExprId id) {
     const bool is_path = expr.kind == ExprKind::Name || expr.kind == ExprKind::Index ||
                          (expr.kind == ExprKind::Member && is_variable_part());
     const Value value = is_path ? unchecked(id) : expression(id);
-    if (is_error(value) || kind(value.type) == Kind::Void) return;
-    emit_.emit_pair(Op::Show, in_register(value), 0, 0,
+    if (is_error(value) || kind(value.type) == TypeKind::Void) return;
+    emit_.emit_pair(OpCode::Show, in_register(value), 0, 0,
                     static_cast<std::int64_t>(shown_form(value.type, false)));
 }
 

@@ -7,7 +7,7 @@
 namespace kadr::sema {
 
 TypeTable::TypeTable() {
-    const auto add = [&](Kind kind, std::uint16_t slots) {
+    const auto add = [&](TypeKind kind, std::uint16_t slots) {
         TypeInfo info;
         info.kind = kind;
         info.slots = slots;
@@ -15,22 +15,22 @@ TypeTable::TypeTable() {
     };
     const auto add_real = [&](Quantity quantity, bool is_optional) {
         TypeInfo info;
-        info.kind = Kind::Real;
+        info.kind = TypeKind::Real;
         info.quantity = quantity;
         info.is_optional = is_optional;
         types_.push_back(info);
     };
-    add(Kind::Error, 1);
-    add(Kind::Void, 0);
-    add(Kind::Bool, 1);
-    add(Kind::Int, 1);
+    add(TypeKind::Error, 1);
+    add(TypeKind::Void, 0);
+    add(TypeKind::Bool, 1);
+    add(TypeKind::Int, 1);
     add_real(kNumber, false);
     add_real(kLength, false);
     add_real(kAngle, false);
     add_real(kTime, false);
-    add(Kind::Feed, 1);
-    add(Kind::Speed, 1);
-    add(Kind::String, 1);
+    add(TypeKind::Feed, 1);
+    add(TypeKind::Speed, 1);
+    add(TypeKind::String, 1);
     add_real(kLength, true);
     add_real(kNumber, true);
     const auto triple = [](std::string name, Type type) {
@@ -45,11 +45,11 @@ TypeTable::TypeTable() {
     const Type point = add_struct(triple("point", types::kOptionalLength));
     const Type vector = add_struct(triple("vector", types::kOptionalReal));
     KADR_ASSERT(point == types::kPoint && vector == types::kVector, "built-in types moved");
-    add(Kind::Range, 2);
-    add(Kind::Execution, 1);
+    add(TypeKind::Range, 2);
+    add(TypeKind::Execution, 1);
     const Type element = add_struct({"element", {}, 0, {}});
     TypeInfo contour;
-    contour.kind = Kind::Array;
+    contour.kind = TypeKind::Array;
     contour.element = element;
     contour.is_contour = true;
     types_.push_back(contour);
@@ -88,12 +88,12 @@ Type TypeTable::intern(const TypeInfo& info) {
 
 Type TypeTable::real(Quantity quantity) {
     TypeInfo info;
-    info.kind = Kind::Real;
+    info.kind = TypeKind::Real;
     info.quantity = quantity;
     return intern(info);
 }
 
-Type TypeTable::family(Kind kind, Quantity extra) {
+Type TypeTable::family(TypeKind kind, Quantity extra) {
     TypeInfo info;
     info.kind = kind;
     info.quantity = extra;
@@ -110,7 +110,7 @@ void TypeTable::set_enum_values(Type type, const std::vector<std::int64_t>& valu
 Type TypeTable::optional(Type type) {
     TypeInfo info = (*this)[type];
     // A point is not given when none of its components is.
-    if (info.kind == Kind::Error || info.kind == Kind::Struct) return type;
+    if (info.kind == TypeKind::Error || info.kind == TypeKind::Struct) return type;
     info.is_optional = true;
     return intern(info);
 }
@@ -124,7 +124,7 @@ Type TypeTable::given(Type type) {
 
 Type TypeTable::array(Type element, std::int64_t count) {
     TypeInfo info;
-    info.kind = Kind::Array;
+    info.kind = TypeKind::Array;
     info.element = element;
     info.count = count;
     return intern(info);
@@ -132,7 +132,7 @@ Type TypeTable::array(Type element, std::int64_t count) {
 
 Type TypeTable::add_struct(StructInfo info) {
     TypeInfo type;
-    type.kind = Kind::Struct;
+    type.kind = TypeKind::Struct;
     type.definition = static_cast<std::uint32_t>(structs_.size());
     type.slots = info.slots;
     structs_.push_back(std::move(info));
@@ -142,7 +142,7 @@ Type TypeTable::add_struct(StructInfo info) {
 
 Type TypeTable::add_enum(EnumInfo info) {
     TypeInfo type;
-    type.kind = Kind::Enum;
+    type.kind = TypeKind::Enum;
     type.definition = static_cast<std::uint32_t>(enums_.size());
     enums_.push_back(std::move(info));
     types_.push_back(type);
@@ -160,7 +160,7 @@ TypeTable::Completed TypeTable::complete_struct(Type type, std::vector<Member> m
         slots += (*this)[member.type].slots;
         if (slots > kMostRegisters) break;
         info.holds_array |= holds_array(member.type);
-        if ((*this)[member.type].kind != Kind::Struct) continue;
+        if ((*this)[member.type].kind != TypeKind::Struct) continue;
         levels = std::max(levels, struct_of(member.type).levels);
         holds_too_large |= struct_of(member.type).levels > kMostLevels;
     }
@@ -187,24 +187,24 @@ std::string TypeTable::name(Type type) const {
     const TypeInfo& info = (*this)[type];
     std::string text;
     switch (info.kind) {
-        case Kind::Error: text += "?"; break;
-        case Kind::Void: text += "void"; break;
-        case Kind::Bool: text += "bool"; break;
-        case Kind::Int: text += "int"; break;
-        case Kind::Real:
+        case TypeKind::Error: text += "?"; break;
+        case TypeKind::Void: text += "void"; break;
+        case TypeKind::Bool: text += "bool"; break;
+        case TypeKind::Int: text += "int"; break;
+        case TypeKind::Real:
             text += info.is_diameter            ? "diameter"
                     : info.quantity.is_number() ? "real"
                                                 : describe(info.quantity);
             break;
-        case Kind::Feed:
-        case Kind::Speed:
-            text += info.kind == Kind::Feed ? "feed" : "speed";
+        case TypeKind::Feed:
+        case TypeKind::Speed:
+            text += info.kind == TypeKind::Feed ? "feed" : "speed";
             if (!info.quantity.is_number()) text += " times " + describe(info.quantity);
             break;
-        case Kind::String: text += "string"; break;
-        case Kind::Enum: text += enums_[info.definition].name; break;
-        case Kind::Struct: text += structs_[info.definition].name; break;
-        case Kind::Array:
+        case TypeKind::String: text += "string"; break;
+        case TypeKind::Enum: text += enums_[info.definition].name; break;
+        case TypeKind::Struct: text += structs_[info.definition].name; break;
+        case TypeKind::Array:
             if (info.is_contour) {
                 text += "contour";
                 break;
@@ -214,8 +214,8 @@ std::string TypeTable::name(Type type) const {
             if (info.count >= 0) text += std::to_string(info.count);
             text += ']';
             break;
-        case Kind::Range: text += "range"; break;
-        case Kind::Execution: text += "execution"; break;
+        case TypeKind::Range: text += "range"; break;
+        case TypeKind::Execution: text += "execution"; break;
     }
     if (info.is_optional) text += '?';
     return text;
@@ -224,19 +224,19 @@ std::string TypeTable::name(Type type) const {
 std::vector<SlotKind> TypeTable::layout(Type type) const {
     const TypeInfo& info = (*this)[type];
     switch (info.kind) {
-        case Kind::Void: return {};
-        case Kind::Bool:
-        case Kind::Int:
-        case Kind::Execution:
-        case Kind::Enum: return {SlotKind::Integer};
-        case Kind::Error:
-        case Kind::Real:
-        case Kind::Feed:
-        case Kind::Speed: return {SlotKind::Number};
-        case Kind::String: return {SlotKind::Text};
-        case Kind::Array: return {SlotKind::Array};
-        case Kind::Range: return {SlotKind::Integer, SlotKind::Integer};
-        case Kind::Struct: break;
+        case TypeKind::Void: return {};
+        case TypeKind::Bool:
+        case TypeKind::Int:
+        case TypeKind::Execution:
+        case TypeKind::Enum: return {SlotKind::Integer};
+        case TypeKind::Error:
+        case TypeKind::Real:
+        case TypeKind::Feed:
+        case TypeKind::Speed: return {SlotKind::Number};
+        case TypeKind::String: return {SlotKind::Text};
+        case TypeKind::Array: return {SlotKind::Array};
+        case TypeKind::Range: return {SlotKind::Integer, SlotKind::Integer};
+        case TypeKind::Struct: break;
     }
     std::vector<SlotKind> slots;
     for (const Member& member : structs_[info.definition].members) {
@@ -247,13 +247,14 @@ std::vector<SlotKind> TypeTable::layout(Type type) const {
 }
 
 bool TypeTable::holds_array(Type type) const {
-    const Kind kind = (*this)[type].kind;
-    return kind == Kind::Array || (kind == Kind::Struct && struct_of(type).holds_array);
+    const TypeKind kind = (*this)[type].kind;
+    return kind == TypeKind::Array || (kind == TypeKind::Struct && struct_of(type).holds_array);
 }
 
 bool TypeTable::is_numeric(Type type) const {
-    const Kind kind = (*this)[type].kind;
-    return kind == Kind::Int || kind == Kind::Real || kind == Kind::Feed || kind == Kind::Speed;
+    const TypeKind kind = (*this)[type].kind;
+    return kind == TypeKind::Int || kind == TypeKind::Real || kind == TypeKind::Feed ||
+           kind == TypeKind::Speed;
 }
 
 }  // namespace kadr::sema

@@ -21,7 +21,7 @@ struct Type {
     friend bool operator==(Type, Type) = default;
 };
 
-enum class Kind : std::uint8_t {
+enum class TypeKind : std::uint8_t {
     Error,  // a mistake was reported; fits everything, so that one mistake is one message
     Void,
     Bool,
@@ -38,7 +38,7 @@ enum class Kind : std::uint8_t {
 };
 
 struct TypeInfo {
-    Kind kind = Kind::Error;
+    TypeKind kind = TypeKind::Error;
     Quantity quantity;             // of Real
     bool is_diameter = false;      // a length that goes across: X of it is a diameter everywhere
     bool is_optional = false;      // may be not given
@@ -104,7 +104,7 @@ inline constexpr Type kDiameter{19};
 }  // namespace types
 
 /// The form of a feed or speed (0 or 1) that measures this; nothing if none does.
-std::optional<int> form_of(Quantity quantity, Kind family);
+std::optional<int> form_of(Quantity quantity, TypeKind family);
 
 class TypeTable {
   public:
@@ -130,7 +130,7 @@ class TypeTable {
     std::size_t enum_count() const { return enums_.size(); }
     const EnumInfo& enum_at(std::size_t index) const { return enums_[index]; }
     /// A feed or speed times something else: `f*length`, on its way to another feed.
-    Type family(Kind kind, Quantity extra);
+    Type family(TypeKind kind, Quantity extra);
 
     /// As a person writes it: `length`, `hole[]`, `length?`.
     std::string name(Type type) const;

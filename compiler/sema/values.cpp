@@ -46,10 +46,10 @@ Value Checker::error_value() const {
 std::optional<double> Checker::number_of(const Value& constant) const {
     if (!constant.is_constant()) return std::nullopt;
     switch (kind(constant.type)) {
-        case Kind::Int: return static_cast<double>(constant.constant.integer);
-        case Kind::Real:
-        case Kind::Feed:
-        case Kind::Speed: return constant.constant.number;
+        case TypeKind::Int: return static_cast<double>(constant.constant.integer);
+        case TypeKind::Real:
+        case TypeKind::Feed:
+        case TypeKind::Speed: return constant.constant.number;
         default: return std::nullopt;
     }
 }
@@ -68,48 +68,52 @@ void Checker::copy_value(const Value& value, Reg target) {
     if (value.form == Value::Form::InRegister) {
         const std::uint16_t slots = type_info(value.type).slots;
         if (value.reg != target) {
-            if (slots == 1) emit_.emit(Op::Move, target, value.reg);
-            else if (slots > 1) emit_.emit(Op::MoveN, target, value.reg, slots);
+            if (slots == 1) emit_.emit(OpCode::Move, target, value.reg);
+            else if (slots > 1) emit_.emit(OpCode::MoveN, target, value.reg, slots);
         }
         if (value.is_variable && !value.is_fresh && value.reg != target &&
             types_.holds_array(value.type)) {
-            if (kind(value.type) == Kind::Array) emit_.emit(Op::CopyArray, target, target);
-            else emit_.emit_pair(Op::CopyParts, target, 0, 0, layout_constant(value.type));
+            if (kind(value.type) == TypeKind::Array) emit_.emit(OpCode::CopyArray, target, target);
+            else emit_.emit_pair(OpCode::CopyParts, target, 0, 0, layout_constant(value.type));
         }
         return;
     }
     switch (kind(value.type)) {
-        case Kind::String:
+        case TypeKind::String:
             if (value.constant.integer == kNotGivenInteger) {
-                emit_.emit_integer(Op::LoadI, target, 0, kNotGivenInteger);
+                emit_.emit_integer(OpCode::LoadI, target, 0, kNotGivenInteger);
             } else {
-                emit_.emit_pair(Op::LoadText, target, 0, 0, value.constant.integer);
+                emit_.emit_pair(OpCode::LoadText, target, 0, 0, value.constant.integer);
             }
             break;
-        case Kind::Real:
-        case Kind::Feed:
-        case Kind::Speed: emit_.emit_number(Op::LoadF, target, 0, value.constant.number); break;
-        default: emit_.emit_integer(Op::LoadI, target, 0, value.constant.integer); break;
+        case TypeKind::Real:
+        case TypeKind::Feed:
+        case TypeKind::Speed:
+            emit_.emit_number(OpCode::LoadF, target, 0, value.constant.number);
+            break;
+        default: emit_.emit_integer(OpCode::LoadI, target, 0, value.constant.integer); break;
     }
 }
 
 void Checker::emit_unset(Type type, Reg reg) {
     const TypeInfo& info = type_info(type);
     // An array that was not given a value is empty; a fixed one has all its elements, not given.
-    if (info.kind == Kind::Array && !info.is_optional) {
-        if (info.count < 0) emit_.emit_pair(Op::NewArray, reg, 0, 0, layout_constant(info.element));
-        else emit_.emit_pair(Op::NewFixed, reg, 0, 0, layout_constant(info.element), info.count);
+    if (info.kind == TypeKind::Array && !info.is_optional) {
+        if (info.count < 0)
+            emit_.emit_pair(OpCode::NewArray, reg, 0, 0, layout_constant(info.element));
+        else
+            emit_.emit_pair(OpCode::NewFixed, reg, 0, 0, layout_constant(info.element), info.count);
         return;
     }
-    if (info.kind == Kind::Struct) {
+    if (info.kind == TypeKind::Struct) {
         for (const Member& member : types_.struct_of(type).members) {
             emit_unset(member.type, static_cast<Reg>(reg + member.offset));
         }
         return;
     }
     for (const SlotKind slot : types_.layout(type)) {
-        if (slot == SlotKind::Number) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
-        else emit_.emit_integer(Op::LoadI, reg, 0, kNotGivenInteger);
+        if (slot == SlotKind::Number) emit_.emit_number(OpCode::LoadF, reg, 0, kNotGivenNumber);
+        else emit_.emit_integer(OpCode::LoadI, reg, 0, kNotGivenInteger);
         ++reg;
     }
 }

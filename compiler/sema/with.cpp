@@ -77,11 +77,11 @@ const nc::FunctionInfo* modal_function(std::string_view name) {
 }
 
 /// The frames that `with` can undo.
-std::optional<std::pair<nc::Function, FrameChange>> frame_change(std::string_view name) {
-    if (name == "shift") return std::pair{nc::Function::Shift, FrameChange::Shift};
-    if (name == "rotate") return std::pair{nc::Function::Rotate, FrameChange::Rotate};
-    if (name == "scale") return std::pair{nc::Function::Scale, FrameChange::Scale};
-    if (name == "mirror") return std::pair{nc::Function::Mirror, FrameChange::Mirror};
+std::optional<std::pair<nc::Function, WithFrame>> frame_change(std::string_view name) {
+    if (name == "shift") return std::pair{nc::Function::Shift, WithFrame::Shift};
+    if (name == "rotate") return std::pair{nc::Function::Rotate, WithFrame::Rotate};
+    if (name == "scale") return std::pair{nc::Function::Scale, WithFrame::Scale};
+    if (name == "mirror") return std::pair{nc::Function::Mirror, WithFrame::Mirror};
     return std::nullopt;
 }
 
@@ -139,7 +139,7 @@ void Checker::frame_call(ExprId id) {
             if (!info.parameters[i].is_optional) {
                 report(diag::ArgumentMissing, expr.range).arg(name).arg(names[i]);
             }
-            emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
+            emit_.emit_number(OpCode::LoadF, reg, 0, kNotGivenNumber);
             continue;
         }
         const SourceRange range = ast()[(*bound)[i]].range;
@@ -149,12 +149,12 @@ void Checker::frame_call(ExprId id) {
             !require_no_diameter(value, range, names[i]))
             value = error_value();
         const std::optional<Value> named = named_axis(info, info.parameters[i], value, range);
-        if (!named) emit_.emit_number(Op::LoadF, reg, 0, kNotGivenNumber);
+        if (!named) emit_.emit_number(OpCode::LoadF, reg, 0, kNotGivenNumber);
         else fill_value(*named, info.parameters[i].dimension, range, names[i], reg);
         emit_.release_to(mark);
     }
     emit_.set_location(expr.range);
-    emit_.emit_pair(Op::ChangeFrame, first, static_cast<unsigned>(change->second),
+    emit_.emit_pair(OpCode::ChangeFrame, first, static_cast<unsigned>(change->second),
                     static_cast<unsigned>(loop_depth_), 0, statement_id(expr.range));
 }
 
@@ -183,7 +183,7 @@ Checker::Completion Checker::with_statement(const Stmt& stmt) {
         head.end = ast()[stmt.statement[0]].range.begin;
     }
     emit_.set_location(head);
-    emit_.emit_pair(Op::EnterWith, 0, 0, 0, mask, statement_id(head));
+    emit_.emit_pair(OpCode::EnterWith, 0, 0, 0, mask, statement_id(head));
     ++with_depth_;
     if (!words.empty() && errors == sink_.errors) emit_words(words, {}, head);
     for (const ExprId id : ast().exprs(stmt.expressions)) {
@@ -196,7 +196,7 @@ Checker::Completion Checker::with_statement(const Stmt& stmt) {
         const SourceRange end{stmt.range.file, stmt.range.end > 0 ? stmt.range.end - 1 : 0,
                               stmt.range.end};
         emit_.set_location(end);
-        emit_.emit_pair(Op::LeaveWith, 0, 0, 1, 0, statement_id(end));
+        emit_.emit_pair(OpCode::LeaveWith, 0, 0, 1, 0, statement_id(end));
     }
     --with_depth_;
     return body;

@@ -632,7 +632,7 @@ std::vector<LayoutPiece> pieces_of(const Sources& sources, FileId id, const Keyw
     const std::optional<std::string> clean = clean_text(id, sources.text(id), limit);
     std::vector<std::string> texts(1);
     Interner interner(texts);
-    const Lines lines(*clean);
+    const LineStarts lines(*clean);
     const SourceFile file{id, *clean, limit, interner, lines};
     std::vector<Comment> comments;
     auto prepared = prepare(file, keywords, dialect, limit, comments);

@@ -4,7 +4,7 @@
 
 namespace kadr::syntax {
 
-Lines::Lines(std::string_view text) {
+LineStarts::LineStarts(std::string_view text) {
     for (std::size_t start = 0; start <= text.size();) {
         const std::size_t end = std::min(text.find('\n', start), text.size());
         const std::size_t first = std::min(text.find_first_not_of(" \t", start), end);
@@ -14,7 +14,7 @@ Lines::Lines(std::string_view text) {
     }
 }
 
-const Lines::Line& Lines::line(std::uint32_t index) const {
+const LineStarts::Line& LineStarts::line(std::uint32_t index) const {
     const auto next = std::upper_bound(
         lines_.begin(), lines_.end(), index,
         [](std::uint32_t wanted, const Line& line) { return wanted < line.start; });

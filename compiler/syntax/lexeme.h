@@ -49,9 +49,9 @@ class Interner {
 };
 
 /// Where the lines of a text begin, and how far they are indented. Long lines make no difference.
-class Lines {
+class LineStarts {
   public:
-    explicit Lines(std::string_view text);
+    explicit LineStarts(std::string_view text);
 
     /// Bytes between the start of the line and the location.
     std::uint32_t indent(std::uint32_t index) const { return index - line(index).start; }
@@ -74,7 +74,7 @@ struct SourceFile {
     std::string_view text;  // clean UTF-8 of the same length as the file
     DiagnosticSink& sink;
     Interner& texts;
-    const Lines& lines;
+    const LineStarts& lines;
 
     SourceRange range(std::uint32_t begin, std::uint32_t end) const { return {id, begin, end}; }
     SourceRange range(const Lexeme& lexeme) const { return {id, lexeme.begin, lexeme.end}; }

@@ -48,7 +48,7 @@ void parse_into(Ast& ast, std::string_view source, const KeywordTable& keywords,
     const std::optional<std::string> clean = clean_text(ast.file, source, limit);
     if (!clean) return;
     Interner texts(ast.texts);
-    const Lines lines(*clean);
+    const LineStarts lines(*clean);
     const SourceFile file{ast.file, *clean, limit, texts, lines};
     const auto prepared = prepare(file, keywords, dialect, limit, ast.comments);
     if (prepared && !limit.is_full()) build_tree(file, *prepared, dialect, limit, ast);

@@ -46,13 +46,13 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// An identifier as address, digits and the rest: `X`, `10`, `mm`.
-struct Spelling {
+struct WordSpelling {
     std::string_view address;
     std::string_view digits;
     std::string_view rest;
 };
 
-Spelling take_apart(std::string_view identifier) {
+WordSpelling take_apart(std::string_view identifier) {
     std::size_t i = 0;
     while (i < identifier.size() && is_upper(identifier[i])) ++i;
     std::size_t j = i;
@@ -79,7 +79,7 @@ std::string with_digits(std::string_view name, const IsAddress& is_address) {
 }
 
 /// Whether what stands here was of the kind that was tried, and is in the output.
-enum class Match : std::uint8_t { None, Taken };
+enum class WordMatch : std::uint8_t { None, Taken };
 
 class Merging {
   public:
@@ -91,16 +91,16 @@ class Merging {
   private:
     void number();
     void identifier();
-    Match take_comma_word();
-    Match take_compact_words(std::string_view identifier);
+    WordMatch take_comma_word();
+    WordMatch take_compact_words(std::string_view identifier);
     void word(Lexeme word, std::string_view number, std::string_view rest);
-    Match take_lookalike(const Lexeme& identifier);
-    Match take_letter_for_digit(const Lexeme& identifier);
-    Match take_lowercase_word(const Lexeme& identifier);
+    WordMatch take_lookalike(const Lexeme& identifier);
+    WordMatch take_letter_for_digit(const Lexeme& identifier);
+    WordMatch take_lowercase_word(const Lexeme& identifier);
     bool is_lowercase_word(std::size_t i);
     bool is_lowercase_address(std::size_t i);
     std::pair<SourceRange, std::string> upper_block(std::size_t first);
-    void finish_word(Lexeme made, const Spelling& spelling);
+    void finish_word(Lexeme made, const WordSpelling& spelling);
     bool take_unit(Lexeme& number, std::string_view name, std::uint32_t end);
     void report_unknown_unit(std::string_view unit, std::uint32_t end) const;
     bool take_sign_and_number(Lexeme& word, std::string& number);
@@ -151,7 +151,7 @@ std::vector<Lexeme> Merging::run() {
             number();
         } else if (lexeme.token == Token::Identifier) {
             identifier();
-        } else if (lexeme.token == Token::Comma && take_comma_word() == Match::Taken) {
+        } else if (lexeme.token == Token::Comma && take_comma_word() == WordMatch::Taken) {
             continue;
         } else {
             if (lexeme.token == Token::Semicolon) is_lowercase_block_ = false;
@@ -318,7 +318,7 @@ nc::WordKind Merging::kind_of(std::string_view name) {
 bool Merging::is_word(std::string_view identifier) {
     const nc::WordKind kind = kind_of(identifier);
     if (kind == nc::WordKind::Address || kind == nc::WordKind::Word) return true;
-    const Spelling s = take_apart(identifier);
+    const WordSpelling s = take_apart(identifier);
     return !s.digits.empty() && kind_of(s.address) == nc::WordKind::Address &&
            (s.rest.empty() || is_upper(s.rest.front()) || find_unit(s.rest, "") != Unit::None);
 }
@@ -330,7 +330,7 @@ void Merging::identifier() {
     if (is_member) return out_.push_back(lexeme);
     for (const auto take : {&Merging::take_lookalike, &Merging::take_letter_for_digit,
                             &Merging::take_lowercase_word}) {
-        if ((this->*take)(lexeme) == Match::Taken) return;
+        if ((this->*take)(lexeme) == WordMatch::Taken) return;
     }
     const Token next = at(i_).token;
     const nc::WordKind kind = kind_of(name);
@@ -345,7 +345,7 @@ void Merging::identifier() {
         out_.push_back(made);
         return;
     }
-    const Spelling s = take_apart(name);
+    const WordSpelling s = take_apart(name);
     // `X1=` of `G75` is an address of its own; `X1` by itself is X and a number.
     const bool is_numbered = !s.digits.empty() && s.rest.empty() && next != Token::Assign &&
                              kind_of(s.address) == nc::WordKind::Address;
@@ -361,7 +361,7 @@ void Merging::identifier() {
             made.text = file_.texts.intern(s.address);
             return word(made, s.digits, s.rest);
         }
-        if (take_compact_words(name) == Match::Taken) return;
+        if (take_compact_words(name) == WordMatch::Taken) return;
     }
     // `G1 X5. E5.`: the point belongs to the number of a word that the dialect does not have.
     const bool is_foreign = !s.address.empty() && !s.digits.empty() && s.rest.empty();
@@ -373,14 +373,14 @@ void Merging::identifier() {
 }
 
 /// `,C2.` and `,R2.`: addresses that begin with a comma, behind other words.
-Match Merging::take_comma_word() {
+WordMatch Merging::take_comma_word() {
     const Lexeme& comma = at(i_);
     const Lexeme& next = at(i_ + 1);
     if (depth_ > 0 || !is_in_block() || next.token != Token::Identifier || next.begin != comma.end)
-        return Match::None;
-    const Spelling s = take_apart(file_.spelling(next));
+        return WordMatch::None;
+    const WordSpelling s = take_apart(file_.spelling(next));
     const std::string address = ',' + std::string(s.address);
-    if (s.address.empty() || kind_of_(address) != nc::WordKind::Address) return Match::None;
+    if (s.address.empty() || kind_of_(address) != nc::WordKind::Address) return WordMatch::None;
     Lexeme made = next;
     made.begin = comma.begin;
     made.text = file_.texts.intern(address);
@@ -392,7 +392,7 @@ Match Merging::take_comma_word() {
     } else {
         word(made, number, s.rest);
     }
-    return Match::Taken;
+    return WordMatch::Taken;
 }
 
 /// `X` with a number behind it: `X-5.25`, `X+30`, `X.5`, `X -5`.
@@ -439,14 +439,14 @@ void Merging::word(Lexeme word, std::string_view number, std::string_view rest) 
 
 /// `G0X10Y20`: one-letter addresses with their digits, without blanks. The last one may still wait
 /// for its number: `G1X` `-5`.
-Match Merging::take_compact_words(std::string_view identifier) {
+WordMatch Merging::take_compact_words(std::string_view identifier) {
     std::vector<std::string_view> pieces;
     for (std::string_view left = identifier; !left.empty();) {
-        const Spelling s = take_apart(left);
+        const WordSpelling s = take_apart(left);
         const bool is_last = s.address.size() + s.digits.size() == left.size();
         if (s.address.size() != 1 || kind_of(s.address) != nc::WordKind::Address ||
             (s.digits.empty() && !is_last)) {
-            return Match::None;
+            return WordMatch::None;
         }
         pieces.push_back(left.substr(0, s.address.size() + s.digits.size()));
         left = s.rest;
@@ -468,53 +468,53 @@ Match Merging::take_compact_words(std::string_view identifier) {
             finish_word(made, take_apart(piece));
         }
     }
-    return Match::Taken;
+    return WordMatch::Taken;
 }
 
 /// `М3` with a Cyrillic letter. Only where a word must stand: elsewhere it is a good name.
-Match Merging::take_lookalike(const Lexeme& identifier) {
+WordMatch Merging::take_lookalike(const Lexeme& identifier) {
     const std::string_view name = file_.spelling(identifier);
     const std::string latin = latin_skeleton(name);
-    if (latin.size() == name.size()) return Match::None;
-    const Spelling s = take_apart(latin);
-    if (kind_of(s.address) != nc::WordKind::Address || !s.rest.empty()) return Match::None;
+    if (latin.size() == name.size()) return WordMatch::None;
+    const WordSpelling s = take_apart(latin);
+    if (kind_of(s.address) != nc::WordKind::Address || !s.rest.empty()) return WordMatch::None;
     const Token next = at(i_).token;
     const bool ends =
         next == Token::Semicolon || next == Token::Identifier || next == Token::Number;
     const bool fits = s.digits.empty()
                           ? is_in_block() && (next == Token::Assign || next == Token::Minus)
                           : ends && (is_start() || is_in_block());
-    if (!fits) return Match::None;
+    if (!fits) return WordMatch::None;
     file_.sink.report(diag::LookalikeLetter, file_.range(identifier))
         .arg(name)
         .arg(latin)
         .fix(file_.range(identifier), latin, "use Latin letters");
     finish_word(identifier, s);
-    return Match::Taken;
+    return WordMatch::Taken;
 }
 
 /// `GO X5;` with the letter O: no statement begins with a name in front of a word. Behind other
 /// words it may be a point.
-Match Merging::take_letter_for_digit(const Lexeme& identifier) {
+WordMatch Merging::take_letter_for_digit(const Lexeme& identifier) {
     const Lexeme& next = at(i_);
     const bool is_before_word = is_start() && next.token == Token::Identifier &&
                                 is_word(file_.spelling(next)) &&
                                 !file_.crosses_line(identifier.end, next.begin);
-    if (!is_before_word) return Match::None;
+    if (!is_before_word) return WordMatch::None;
     const std::string_view name = file_.spelling(identifier);
     const std::string word = with_digits(
         name, [&](std::string_view address) { return kind_of(address) == nc::WordKind::Address; });
-    if (word.empty()) return Match::None;
+    if (word.empty()) return WordMatch::None;
     file_.sink.report(diag::LetterForDigit, file_.range(identifier))
         .arg(name)
         .arg(word)
         .fix(file_.range(identifier), word, "write digits");
     finish_word(identifier, take_apart(word));
-    return Match::Taken;
+    return WordMatch::Taken;
 }
 
 /// The word that an identifier would be if it were spelled as `spelling`.
-void Merging::finish_word(Lexeme made, const Spelling& spelling) {
+void Merging::finish_word(Lexeme made, const WordSpelling& spelling) {
     made.text = file_.texts.intern(spelling.address);
     std::string number(spelling.digits);
     if (!number.empty() || take_sign_and_number(made, number)) return word(made, number, "");
@@ -559,7 +559,7 @@ std::pair<SourceRange, std::string> Merging::upper_block(std::size_t first) {
 }
 
 /// `g1 x10;` at the start of a statement: nobody means a variable `x10` of type `g1`.
-Match Merging::take_lowercase_word(const Lexeme& identifier) {
+WordMatch Merging::take_lowercase_word(const Lexeme& identifier) {
     const std::size_t own = i_ - 1;
     const std::string upper = upper_ascii(file_.spelling(identifier));
     if (!is_lowercase_block_) {
@@ -570,17 +570,17 @@ Match Merging::take_lowercase_word(const Lexeme& identifier) {
             is_start() && is_lowercase_word(own) &&
             (at(i_).token == Token::Semicolon || is_lowercase_word(i_) || is_before_word ||
              (is_lowercase_address(i_) && at(i_ + 1).token != Token::Assign));
-        if (!fits) return Match::None;
+        if (!fits) return WordMatch::None;
         is_lowercase_block_ = true;
         const auto [range, block] = upper_block(own);
         file_.sink.report(diag::LowercaseWord, file_.range(identifier))
             .arg(upper)
             .fix(range, block, "write it in upper case");
     } else if (!is_lowercase_word(own) && !is_lowercase_address(own)) {
-        return Match::None;
+        return WordMatch::None;
     }
     finish_word(identifier, take_apart(upper));
-    return Match::Taken;
+    return WordMatch::Taken;
 }
 
 }  // namespace

@@ -8,12 +8,12 @@ namespace kadr::control {
 
 namespace {
 
-struct PlaneAxes {
+struct RotationAxes {
     std::size_t first;
     std::size_t second;
 };
 
-PlaneAxes axes_of(nc::Function plane) {
+RotationAxes axes_of(nc::Function plane) {
     switch (plane) {
         case nc::Function::PlaneZx: return {2, 0};
         case nc::Function::PlaneYz: return {1, 2};
@@ -23,7 +23,7 @@ PlaneAxes axes_of(nc::Function plane) {
 
 std::array<double, 3> rotated(std::array<double, 3> v, double angle_deg, nc::Function plane) {
     if (angle_deg == 0) return v;
-    const PlaneAxes axes = axes_of(plane);
+    const RotationAxes axes = axes_of(plane);
     const double c = cos_deg(angle_deg);
     const double s = sin_deg(angle_deg);
     const double a = v[axes.first];
@@ -60,12 +60,12 @@ std::array<double, 3> difference(std::array<double, 3> a, const std::array<doubl
 bool ProgramFrame::is_identity() const { return shift == std::array<double, 3>{} && is_shift(); }
 
 AxisMask ProgramFrame::plane_mask() const {
-    const PlaneAxes axes = axes_of(plane);
+    const RotationAxes axes = axes_of(plane);
     return static_cast<AxisMask>(1u << axes.first | 1u << axes.second);
 }
 
 bool ProgramFrame::is_stretched(nc::Function in_plane) const {
-    const PlaneAxes axes = axes_of(in_plane);
+    const RotationAxes axes = axes_of(in_plane);
     return scale[axes.first] != scale[axes.second];
 }
 
@@ -78,7 +78,7 @@ std::array<double, 3> ProgramFrame::inner_center() const {
 }
 
 double ProgramFrame::inner_angle_deg() const {
-    const PlaneAxes axes = axes_of(plane);
+    const RotationAxes axes = axes_of(plane);
     return is_mirrored[axes.first] != is_mirrored[axes.second] ? -angle_deg : angle_deg;
 }
 
@@ -101,7 +101,7 @@ FrameFormFault ProgramFrame::add_rotation(double by_deg, nc::Function in_plane,
     // The new center c turns with the old rotation R about C: it lies at C + R(c − C), and there it
     // stays: shift' + c = shift + C + R(c − C).
     std::array<double, 3> next = scaled(mirrored(about, is_mirrored), scale);
-    const PlaneAxes axes = axes_of(in_plane);
+    const RotationAxes axes = axes_of(in_plane);
     for (std::size_t i = 0; i < 3; ++i) {
         if (i != axes.first && i != axes.second) next[i] = 0;
     }
@@ -137,7 +137,7 @@ bool ProgramFrame::differs(const ProgramFrame& other, std::size_t axis) const {
         is_mirrored[axis] != other.is_mirrored[axis])
         return true;
     const auto turns = [axis](const ProgramFrame& frame) {
-        const PlaneAxes axes = axes_of(frame.plane);
+        const RotationAxes axes = axes_of(frame.plane);
         return frame.angle_deg != 0 && (axis == axes.first || axis == axes.second);
     };
     return !(*this == other) && (turns(*this) || turns(other));
@@ -157,7 +157,7 @@ KnownPoint change_frame(const KnownPoint& point, const ProgramFrame& from, const
     // A rotation mixes two axes: one of them alone tells nothing.
     const auto mix = [&](const ProgramFrame& frame) {
         if (frame.angle_deg == 0) return;
-        const PlaneAxes axes = axes_of(frame.plane);
+        const RotationAxes axes = axes_of(frame.plane);
         const bool both = result.is_known[axes.first] && result.is_known[axes.second];
         result.is_known[axes.first] = result.is_known[axes.second] = both;
     };

@@ -42,8 +42,8 @@ void CompensatedContour::wait_for_first(Command approach) {
     waiting_.push_back({{std::move(approach)}, ++elements_});
 }
 
-ProgrammedMotion CompensatedContour::take_approach() {
-    ProgrammedMotion approach = std::move(waiting_.front().motion);
+CutterMotion CompensatedContour::take_approach() {
+    CutterMotion approach = std::move(waiting_.front().motion);
     waiting_.pop_front();
     return approach;
 }
@@ -61,7 +61,7 @@ void CompensatedContour::open_approach() {
 void CompensatedContour::wait(Command command) { waiting_.push_back({{std::move(command)}, 0}); }
 
 std::optional<CompFault> CompensatedContour::push(const Element& element, double distance,
-                                                  ProgrammedMotion motion) {
+                                                  CutterMotion motion) {
     waiting_.push_back({std::move(motion), ++elements_});
     last_ = Last{element, distance};
     return corners_.push(element, distance, elements_);
@@ -89,7 +89,7 @@ void CompensatedContour::put_piece(const CompPiece& piece, CutterPath& cutter) {
 
 /// The path to the contour, of which is known now where it begins.
 void CompensatedContour::put_open_approach(const Vec2& to, CutterPath& cutter) {
-    const ProgrammedMotion approach = *std::exchange(open_approach_, std::nullopt);
+    const CutterMotion approach = *std::exchange(open_approach_, std::nullopt);
     cutter.put_line(approach, to);
     cutter.set_programmed(approach.command.motion().to);
 }
@@ -100,14 +100,14 @@ std::optional<CompFault> CompensatedContour::finish(const ContourEnd& end, Cutte
                                      : corners_.finish();
     if (fault) return fault;
     release(cutter);
-    const auto unled = [&](const ProgrammedMotion& motion) -> Vec2 {
+    const auto unled = [&](const CutterMotion& motion) -> Vec2 {
         return cutter.plane().point(motion.command.motion().to) - end.aside;
     };
     if (open_approach_) put_open_approach(unled(*open_approach_), cutter);
     for (; !waiting_.empty(); waiting_.pop_front()) {
         // An approach to no contour at all goes where it is programmed; an element that the end
         // has left out goes nowhere.
-        ProgrammedMotion& motion = waiting_.front().motion;
+        CutterMotion& motion = waiting_.front().motion;
         if (waiting_.front().element == 0) cutter.put_standing(std::move(motion.command));
         else if (!last_) cutter.put_line(motion, unled(motion));
     }

@@ -47,7 +47,7 @@ class CompensatedContour {
     /// The path to the contour waits for its first element.
     void wait_for_first(path::Command approach);
     /// It is no element: the caller leads it to the contour.
-    ProgrammedMotion take_approach();
+    CutterMotion take_approach();
     /// It is treated as an element that goes so.
     std::optional<path::CompFault> push_approach(const path::Element& way, double distance);
     /// It ends where the first piece will begin, by the rules' open end.
@@ -59,7 +59,7 @@ class CompensatedContour {
     ///
     /// distance  of the cutter's centre at its end, mm, positive left of the contour
     std::optional<path::CompFault> push(const path::Element& element, double distance,
-                                        ProgrammedMotion motion);
+                                        CutterMotion motion);
     /// What is settled goes to the cutter's path.
     void release(CutterPath& cutter);
     /// All that waits goes there: no further element comes. `restart` follows, if there is no
@@ -78,7 +78,7 @@ class CompensatedContour {
 
   private:
     struct Waiting {
-        ProgrammedMotion motion;
+        CutterMotion motion;
         std::size_t element = 0;  // its number; 0: no motion in the plane
     };
     const path::Command* command_of(std::size_t element) const;
@@ -88,7 +88,7 @@ class CompensatedContour {
     path::RadiusComp corners_{{}};
     std::size_t elements_ = 0;  // so many have come, approaches included
     std::optional<Last> last_;
-    std::optional<ProgrammedMotion> open_approach_;
+    std::optional<CutterMotion> open_approach_;
     std::deque<Waiting> waiting_;
 };
 

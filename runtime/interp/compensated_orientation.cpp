@@ -29,12 +29,12 @@ constexpr double kNoWay = 1e-9;
 bool is_same(const Vec3& a, const Vec3& b) { return (a - b).norm() < kSameTool; }
 
 /// The tool where a command begins and where it ends, by its own words.
-struct Ends {
+struct ToolEnds {
     Vec3 first;
     Vec3 last;
 };
 
-Ends ends_of(const path::Motion& motion, const path::Curve& curve, const Vec3& now) {
+ToolEnds ends_of(const path::Motion& motion, const path::Curve& curve, const Vec3& now) {
     if (motion.orient_kind == OrientKind::Cone) {
         const double angle = motion.orientation().angle;
         const Eigen::AngleAxisd back(-angle, motion.orientation().axis);
@@ -96,7 +96,7 @@ bool put_standing_orientation(const OrientationLimits& orientation_limits, const
 
 /// Along an arc the orientation follows it: it goes there before, and to what is programmed behind.
 bool put_led(const OrientationLimits& orientation_limits, AxisValues axes,
-             const Command& programmed, const Ends& ends, std::vector<Command>& settled) {
+             const Command& programmed, const ToolEnds& ends, std::vector<Command>& settled) {
     const std::size_t before = settled.size();
     const auto put = [&] {
         if (!put_standing_orientation(orientation_limits, programmed, ends.first, axes, settled))
@@ -167,7 +167,7 @@ bool put_oriented(const OrientationLimits& orientation_limits, const AxisValues&
     const Vec3 now =
         machine::tool_vector(*orientation_limits.chain, joints_at(*orientation_limits.chain, from));
     const path::Curve curve = path::curve_of(motion, linear(from), linear(motion.to));
-    const Ends ends = ends_of(motion, curve, now);
+    const ToolEnds ends = ends_of(motion, curve, now);
     if (!is_same(ends.first, now) || !is_same(ends.last, motion.direction)) {
         if (motion.op() == Op::Arc && motion.orient_kind != OrientKind::Cone)
             return put_led(orientation_limits, from, command, ends, settled);

@@ -390,7 +390,7 @@ Compensation::Fault Compensation::end_approach(const Element& first, double dist
 
 /// To the normal at the start of the first element.
 void Compensation::lead_approach(const Element& first, double distance, bool is_curved) {
-    const ProgrammedMotion motion = contour_.take_approach();
+    const CutterMotion motion = contour_.take_approach();
     const Vec2 to = path::RadiusComp::start_of(first, distance);
     const auto curve = is_curved ? curve_in(settings_.start, cutter_.point(), first, distance)
                                  : std::optional<EndCurve>{};
@@ -399,7 +399,7 @@ void Compensation::lead_approach(const Element& first, double distance, bool is_
     cutter_.set_programmed(motion.command.motion().to);
 }
 
-Compensation::Fault Compensation::push(const Element& element, ProgrammedMotion motion) {
+Compensation::Fault Compensation::push(const Element& element, CutterMotion motion) {
     empty_blocks_ = 0;
     if (const auto fault = contour_.push(element, distance_, std::move(motion)))
         return row_of(*fault);
@@ -440,7 +440,7 @@ Compensation::Fault Compensation::depart_from_end(Command& command) {
         curve = curve_out(settings_.start, path::line_element(cutter_.point(), to), last->element,
                           distance_);
     }
-    const ProgrammedMotion motion{std::move(command), 0, true};
+    const CutterMotion motion{std::move(command), 0, true};
     if (curve) cutter_.put_curve(motion, to, *curve);
     else cutter_.put_line(motion, to);
     return nullptr;

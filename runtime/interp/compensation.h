@@ -136,7 +136,7 @@ class Compensation {
     Fault depart_from_end(path::Command& command);
     Fault end_approach(const path::Element& first, double distance);
     void lead_approach(const path::Element& first, double distance, bool is_curved);
-    Fault push(const path::Element& element, ProgrammedMotion motion);
+    Fault push(const path::Element& element, CutterMotion motion);
     Fault follow_kept(path::Command& command);
     Fault follow_paused(path::Command& command);
     void come_back(const path::Command& command, const path::Element& element);

@@ -51,7 +51,7 @@ bool CutterPath::take_orientation_fault() { return std::exchange(cannot_orient_,
 
 // ------------------------------------------------------------------------------ of the contour
 
-void CutterPath::put_piece(const ProgrammedMotion& motion, const CompPiece& piece) {
+void CutterPath::put_piece(const CutterMotion& motion, const CompPiece& piece) {
     const Element& element = piece.element;
     if (piece.weight > 0) return insert_conic(motion, piece);
     if (!element.is_arc()) {
@@ -77,14 +77,14 @@ void CutterPath::put_standing(Command command) {
     programmed_ = to;
 }
 
-void CutterPath::put_line(const ProgrammedMotion& motion, const Vec2& to) {
+void CutterPath::put_line(const CutterMotion& motion, const Vec2& to) {
     Command command = motion.command;
     if (command.op() == Op::Arc) command.become(Op::Line);
     plane_.set_point(command.motion().to, to);
     put_moving(std::move(command), motion.command.motion().to);
 }
 
-void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
+void CutterPath::put_arc(const CutterMotion& motion, const Element& arc) {
     Command command = motion.command;
     const double radius = path::radius(arc);
     const bool is_slower = motion.feed == nc::CompFeed::Contour ||
@@ -97,7 +97,7 @@ void CutterPath::put_arc(const ProgrammedMotion& motion, const Element& arc) {
 
 /// The other axes come to rest at the contour: on the path to it at its end, on the path from it
 /// they begin so.
-void CutterPath::put_curve(const ProgrammedMotion& motion, const Vec2& to, const EndCurve& curve) {
+void CutterPath::put_curve(const CutterMotion& motion, const Vec2& to, const EndCurve& curve) {
     Command command = motion.command;
     plane_.set_point(command.motion().to, to);
     AxisValues inner = curve.leads_in ? command.motion().to : position_;
@@ -115,7 +115,7 @@ void CutterPath::put_curve(const ProgrammedMotion& motion, const Vec2& to, const
 // ------------------------------------------------------------------------------ at corners
 
 /// A copy of the motion's command that goes nowhere yet.
-Command CutterPath::standing(const ProgrammedMotion& motion) const {
+Command CutterPath::standing(const CutterMotion& motion) const {
     Command command = motion.command;
     command.motion().to = position_;
     command.motion().exact_stop = false;
@@ -123,14 +123,14 @@ Command CutterPath::standing(const ProgrammedMotion& motion) const {
     return command;
 }
 
-void CutterPath::insert_line(const ProgrammedMotion& motion, const Vec2& to) {
+void CutterPath::insert_line(const CutterMotion& motion, const Vec2& to) {
     Command command = standing(motion);
     if (command.op() == Op::Arc) command.become(Op::Line);
     plane_.set_point(command.motion().to, to);
     put_moving(std::move(command), motion.command.motion().to);
 }
 
-void CutterPath::insert_arc(const ProgrammedMotion& motion, const Element& arc) {
+void CutterPath::insert_arc(const CutterMotion& motion, const Element& arc) {
     Command command = standing(motion);
     path::ArcShape about;
     about.center = linear(position_);
@@ -141,7 +141,7 @@ void CutterPath::insert_arc(const ProgrammedMotion& motion, const Element& arc) 
 
 /// The arc about a corner that has been made more pointed; at rapid the tangents at its ends and at
 /// its middle.
-void CutterPath::insert_conic(const ProgrammedMotion& motion, const CompPiece& piece) {
+void CutterPath::insert_conic(const CutterMotion& motion, const CompPiece& piece) {
     const Vec2& to = piece.element.to;
     if (motion.command.op() == Op::Rapid) {
         const double sum = 1 + piece.weight;
@@ -162,7 +162,7 @@ void CutterPath::insert_conic(const ProgrammedMotion& motion, const CompPiece& p
 }
 
 /// At rapid there are no arcs: around a corner by lines that touch the arc.
-void CutterPath::insert_tangents(const ProgrammedMotion& motion, const Element& arc) {
+void CutterPath::insert_tangents(const CutterMotion& motion, const Element& arc) {
     const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (pi / 2))));
     const double half = arc.sweep / parts / 2;
     Vec2 arm = arc.from - arc.center;
@@ -178,7 +178,7 @@ void CutterPath::insert_tangents(const ProgrammedMotion& motion, const Element& 
 
 /// The tool that is led by a second point of its axis keeps its direction on an arc beside the
 /// programmed one: about the same centre, of which corners have left a part.
-void CutterPath::orient_along_arc(const ProgrammedMotion& motion, const Element& arc,
+void CutterPath::orient_along_arc(const CutterMotion& motion, const Element& arc,
                                   path::Motion& beside) const {
     if (beside.orient_kind != path::OrientKind::Point) return;
     const double radius = path::radius(arc);

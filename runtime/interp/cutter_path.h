@@ -16,7 +16,7 @@
 namespace kadr::interp {
 
 /// A motion as it is programmed, in the system of the plane.
-struct ProgrammedMotion {
+struct CutterMotion {
     path::Command command;
     double radius = 0;          // of an arc as programmed, mm
     bool is_departure = false;  // ends where it is programmed
@@ -51,16 +51,16 @@ class CutterPath {
     /// A command without motion in the plane: where the cutter stands now.
     void put_standing(path::Command command);
     /// What runs beside an element of the contour, or is inserted in front of it.
-    void put_piece(const ProgrammedMotion& motion, const path::CompPiece& piece);
+    void put_piece(const CutterMotion& motion, const path::CompPiece& piece);
     /// The motion, by a line to a point.
-    void put_line(const ProgrammedMotion& motion, const path::Vec2& to);
+    void put_line(const CutterMotion& motion, const path::Vec2& to);
     /// The motion, on a curve to a point.
-    void put_curve(const ProgrammedMotion& motion, const path::Vec2& to, const EndCurve& curve);
+    void put_curve(const CutterMotion& motion, const path::Vec2& to, const EndCurve& curve);
     /// The motion as it is, beside what was programmed to end at another position.
     void put_beside(path::Command command, const AxisValues& programmed_to);
     /// With the feed and the text location of the motion; the other axes stand.
-    void insert_line(const ProgrammedMotion& motion, const path::Vec2& to);
-    void insert_arc(const ProgrammedMotion& motion, const path::Element& arc);
+    void insert_line(const CutterMotion& motion, const path::Vec2& to);
+    void insert_arc(const CutterMotion& motion, const path::Element& arc);
 
     /// Commands of the base system, in order. The caller clears them.
     std::vector<path::Command>& settled() { return settled_; }
@@ -71,12 +71,12 @@ class CutterPath {
   private:
     void put(path::Command command);
     void put_moving(path::Command command, const AxisValues& programmed_to);
-    void put_arc(const ProgrammedMotion& motion, const path::Element& arc);
-    void insert_conic(const ProgrammedMotion& motion, const path::CompPiece& piece);
-    void insert_tangents(const ProgrammedMotion& motion, const path::Element& arc);
-    path::Command standing(const ProgrammedMotion& motion) const;
+    void put_arc(const CutterMotion& motion, const path::Element& arc);
+    void insert_conic(const CutterMotion& motion, const path::CompPiece& piece);
+    void insert_tangents(const CutterMotion& motion, const path::Element& arc);
+    path::Command standing(const CutterMotion& motion) const;
     void stand_tool(path::Motion& inserted) const;
-    void orient_along_arc(const ProgrammedMotion& motion, const path::Element& arc,
+    void orient_along_arc(const CutterMotion& motion, const path::Element& arc,
                           path::Motion& beside) const;
     path::Vec3 beside_center(const path::Element& arc, double scale, const AxisValues& at) const;
 

@@ -69,7 +69,7 @@ void BlockFunctions::issue_functions(const nc::Block& block, const Actions& acti
             continue;
         }
         if (!has_changed(code, actions)) continue;
-        path::Function& function = channel_.stages.put(path::Op::Function, block).function();
+        path::MFunction& function = channel_.stages.put(path::Op::Function, block).function();
         function.code = code;
         function.step = step;
     }

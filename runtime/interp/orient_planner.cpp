@@ -361,7 +361,7 @@ std::optional<Vec3> OrientPlanner::direction_on_surface(const Block& block, cons
         return std::nullopt;
     }
     if (!require_small_rise(block, path::rise_of(normal, tangent))) return std::nullopt;
-    return path::leaning(normal, tangent, lead_tilt);
+    return path::leant(normal, tangent, lead_tilt);
 }
 
 /// The direction of travel goes out of the surface by no more than the control takes, rad. S 7.4.

@@ -127,7 +127,7 @@ AxisValues Transformation::machine_axes_at(const AxisValues& base) const {
 }
 
 Done Transformation::require_transformation(const Block& block, const nc::Invocation& invocation) {
-    constexpr double kSameDirection = 1e-4;  // rad; components are written with four digits
+    constexpr double kSameVector = 1e-4;  // rad; components are written with four digits
     constexpr std::size_t kNumber = parameter_of<Function::TcpBased>("number");
     constexpr std::size_t kX = parameter_of<Function::TcpBased>("x");
     constexpr std::size_t kOffsets = parameter_of<Function::TcpBased>("first");
@@ -149,7 +149,7 @@ Done Transformation::require_transformation(const Block& block, const nc::Invoca
             reporter_.report(diag::OrientationZero, block, function, kX);
             return kFailed;
         }
-        if ((*direction - own).norm() > kSameDirection) {
+        if ((*direction - own).norm() > kSameVector) {
             reporter_.report(diag::BaseDirection, block, function, kX)
                 .arg(written_direction(programmed))
                 .arg(written_direction(own));

@@ -12,13 +12,13 @@ using path::Op;
 using path::Vec2;
 
 void SmoothApproach::begin(const ApproachMove& move, path::Plane plane, const AxisValues& from,
-                           const AxisValues& to, bool has_place, bool has_level) {
+                           const AxisValues& to, bool has_point, bool has_level) {
     is_active_ = true;
     move_ = move;
     axes_ = path::axes_of(plane);
     from_ = from;
     to_ = to;
-    has_point_ = has_place;
+    has_point_ = has_point;
     has_level_ = has_level;
     empty_blocks_ = -1;  // its own block is none of them
     fresh_.clear();

@@ -39,7 +39,7 @@ class SmoothApproach {
     ///
     /// has_place, has_level  whether the block gives the point in the plane, and along its normal
     void begin(const ApproachMove& move, path::Plane plane, const AxisValues& from,
-               const AxisValues& to, bool has_place, bool has_level);
+               const AxisValues& to, bool has_point, bool has_level);
 
     /// Where the executor puts a command while an approach waits.
     path::Command& next() { return fresh_.emplace_back(); }

@@ -41,7 +41,7 @@ SourceRange ElementReader::location(std::string_view attribute) const {
 }
 
 void ElementReader::report_quantity(const XmlAttribute& attribute, const QuantityError& error,
-                                    Dimension dimension, bool is_range) const {
+                                    QuantityKind dimension, bool is_range) const {
     const std::string name(dimension_name(dimension));
     switch (error.fault) {
         case QuantityFault::NotANumber:
@@ -74,7 +74,7 @@ void ElementReader::report_quantity(const XmlAttribute& attribute, const Quantit
 }
 
 std::optional<double> ElementReader::quantity(std::string_view attribute,
-                                              Dimension dimension) const {
+                                              QuantityKind dimension) const {
     const XmlAttribute* found = element_.find(attribute);
     if (found == nullptr) return std::nullopt;
     const auto value = parse_quantity(found->value, dimension);
@@ -84,7 +84,7 @@ std::optional<double> ElementReader::quantity(std::string_view attribute,
 }
 
 std::optional<std::array<double, 3>> ElementReader::triple(std::string_view attribute,
-                                                           Dimension dimension) const {
+                                                           QuantityKind dimension) const {
     const XmlAttribute* found = element_.find(attribute);
     if (found == nullptr) return std::nullopt;
     const std::string_view text = trimmed(found->value);
@@ -107,7 +107,8 @@ std::optional<std::array<double, 3>> ElementReader::triple(std::string_view attr
     return values;
 }
 
-std::optional<Range> ElementReader::range(std::string_view attribute, Dimension dimension) const {
+std::optional<Range> ElementReader::range(std::string_view attribute,
+                                          QuantityKind dimension) const {
     const XmlAttribute* found = element_.find(attribute);
     if (found == nullptr) return std::nullopt;
     const auto value = parse_range(found->value, dimension);
@@ -117,7 +118,7 @@ std::optional<Range> ElementReader::range(std::string_view attribute, Dimension 
 }
 
 std::optional<double> ElementReader::positive(std::string_view attribute,
-                                              Dimension dimension) const {
+                                              QuantityKind dimension) const {
     const auto value = quantity(attribute, dimension);
     if (!value || *value > 0) return value;
     sink_.report(diag::MachineNotPositive, location(attribute)).arg(attribute).arg(text(attribute));
@@ -125,7 +126,7 @@ std::optional<double> ElementReader::positive(std::string_view attribute,
 }
 
 std::optional<double> ElementReader::magnitude(std::string_view attribute,
-                                               Dimension dimension) const {
+                                               QuantityKind dimension) const {
     const auto value = quantity(attribute, dimension);
     if (!value || *value >= 0) return value;
     sink_.report(diag::MachineNegative, location(attribute)).arg(attribute).arg(text(attribute));
@@ -133,7 +134,7 @@ std::optional<double> ElementReader::magnitude(std::string_view attribute,
 }
 
 std::optional<double> ElementReader::share(std::string_view attribute) const {
-    const auto value = quantity(attribute, Dimension::Share);
+    const auto value = quantity(attribute, QuantityKind::Share);
     if (!value || (*value >= 0 && *value <= 1)) return value;
     sink_.report(diag::MachineShare, location(attribute)).arg(attribute).arg(text(attribute));
     return std::nullopt;

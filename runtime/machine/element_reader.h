@@ -27,14 +27,14 @@ class ElementReader {
 
     bool has(std::string_view attribute) const { return element_.find(attribute) != nullptr; }
     std::string text(std::string_view attribute) const;
-    std::optional<double> quantity(std::string_view attribute, Dimension dimension) const;
+    std::optional<double> quantity(std::string_view attribute, QuantityKind dimension) const;
     /// Three quantities with one unit behind them: `12.5 0 -40 mm`.
     std::optional<std::array<double, 3>> triple(std::string_view attribute,
-                                                Dimension dimension) const;
-    std::optional<Range> range(std::string_view attribute, Dimension dimension) const;
+                                                QuantityKind dimension) const;
+    std::optional<Range> range(std::string_view attribute, QuantityKind dimension) const;
     /// Above zero, or zero and above.
-    std::optional<double> positive(std::string_view attribute, Dimension dimension) const;
-    std::optional<double> magnitude(std::string_view attribute, Dimension dimension) const;
+    std::optional<double> positive(std::string_view attribute, QuantityKind dimension) const;
+    std::optional<double> magnitude(std::string_view attribute, QuantityKind dimension) const;
     /// A share from nothing to the whole, 0 … 1.
     std::optional<double> share(std::string_view attribute) const;
     std::optional<std::int64_t> whole(std::string_view attribute, std::int64_t least,
@@ -48,7 +48,7 @@ class ElementReader {
 
   private:
     void report_quantity(const XmlAttribute& attribute, const QuantityError& error,
-                         Dimension dimension, bool is_range) const;
+                         QuantityKind dimension, bool is_range) const;
 
     const XmlElement& element_;
     DiagnosticSink& sink_;

@@ -222,13 +222,13 @@ Opening opening_of(const OrientationTriangle& tilt, double sine, double cosine) 
     return {2 * std::atan2(s, c), {2 * s * c / sum, (cos_squared - sin_squared) / sum}};
 }
 
-struct Candidate {
+struct RotaryCandidate {
     double second = 0;  // angle of the second joint, without its sign
     Vec3 image;         // the tool rotated by it
 };
 
 /// The solution of one candidate, checked forwards.
-std::optional<Solution> completed(const Chain& chain, const Candidate& candidate,
+std::optional<Solution> completed(const Chain& chain, const RotaryCandidate& candidate,
                                   const Vec3& direction, bool is_pole) {
     const RotaryJoint& first = chain.joints[kR1];
     const RotaryJoint& second = chain.joints[kR2];
@@ -250,7 +250,7 @@ std::optional<Solution> completed(const Chain& chain, const Candidate& candidate
     return solution;
 }
 
-Candidate candidate_at(const Chain& chain, double opening, const SineCosine& rotation) {
+RotaryCandidate candidate_at(const Chain& chain, double opening, const SineCosine& rotation) {
     const OrientationTriangle& tilt = chain.tilt;
     const SineCosine second = {
         tilt.sin_nearest * rotation.cosine + tilt.cos_nearest * rotation.sine,

@@ -134,15 +134,15 @@ constexpr std::string_view kPulseModes[] = {"synchronised", "stop"};
 
 /// The dimensions of an axis' attributes.
 struct AxisDimensions {
-    Dimension position;
-    Dimension velocity;
-    Dimension acceleration;
-    Dimension jerk;
+    QuantityKind position;
+    QuantityKind velocity;
+    QuantityKind acceleration;
+    QuantityKind jerk;
 };
-constexpr AxisDimensions kLinear = {Dimension::Length, Dimension::Velocity, Dimension::Acceleration,
-                                    Dimension::Jerk};
-constexpr AxisDimensions kRotary = {Dimension::Angle, Dimension::AngularVelocity,
-                                    Dimension::AngularAcceleration, Dimension::AngularJerk};
+constexpr AxisDimensions kLinear = {QuantityKind::Length, QuantityKind::Velocity,
+                                    QuantityKind::Acceleration, QuantityKind::Jerk};
+constexpr AxisDimensions kRotary = {QuantityKind::Angle, QuantityKind::AngularVelocity,
+                                    QuantityKind::AngularAcceleration, QuantityKind::AngularJerk};
 
 /// A position with its unit, as messages show it.
 std::string shown_position(const MachineAxis& axis, double position) {
@@ -180,20 +180,23 @@ class MachineBuilder {
         machine_.name = reader.text("name");
         machine_.title = reader.text("title");
         machine_.is_lathe = reader.choice("kind", kKinds).value_or(0) == 1;
-        machine_.tick = reader.positive("tick", Dimension::Time).value_or(machine_.tick);
+        machine_.tick = reader.positive("tick", QuantityKind::Time).value_or(machine_.tick);
         check_tick();
-        machine_.max_feed = reader.positive("max_feed", Dimension::Velocity).value_or(0);
-        machine_.max_speed = reader.positive("max_speed", Dimension::AngularVelocity).value_or(0) /
-                             (2 * std::numbers::pi);
-        machine_.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
+        machine_.max_feed = reader.positive("max_feed", QuantityKind::Velocity).value_or(0);
+        machine_.max_speed =
+            reader.positive("max_speed", QuantityKind::AngularVelocity).value_or(0) /
+            (2 * std::numbers::pi);
+        machine_.orient_time = reader.magnitude("orient_time", QuantityKind::Time).value_or(0);
         machine_.tool_change_time =
-            reader.magnitude("tool_change_time", Dimension::Time).value_or(0);
-        machine_.corner_tolerance = reader.magnitude("corner_tolerance", Dimension::Length)
+            reader.magnitude("tool_change_time", QuantityKind::Time).value_or(0);
+        machine_.corner_tolerance = reader.magnitude("corner_tolerance", QuantityKind::Length)
                                         .value_or(machine_.corner_tolerance);
-        machine_.orientation_tolerance = reader.magnitude("orientation_tolerance", Dimension::Angle)
-                                             .value_or(machine_.orientation_tolerance);
-        machine_.compressor_tolerance = reader.magnitude("compressor_tolerance", Dimension::Length)
-                                            .value_or(machine_.compressor_tolerance);
+        machine_.orientation_tolerance =
+            reader.magnitude("orientation_tolerance", QuantityKind::Angle)
+                .value_or(machine_.orientation_tolerance);
+        machine_.compressor_tolerance =
+            reader.magnitude("compressor_tolerance", QuantityKind::Length)
+                .value_or(machine_.compressor_tolerance);
     }
 
     void check_tick() {
@@ -282,7 +285,7 @@ class MachineBuilder {
             machine_data_.data.push_back(std::move(datum));
     }
 
-    void read_limits(const ElementReader& reader, MachineAxis& axis, Dimension dimension) {
+    void read_limits(const ElementReader& reader, MachineAxis& axis, QuantityKind dimension) {
         const auto limits = reader.range("limits", dimension);
         axis.lower = limits ? limits->lower : -kInfinity;
         axis.upper = limits ? limits->upper : kInfinity;
@@ -313,9 +316,9 @@ class MachineBuilder {
         const auto number = reader.whole("number", 1, kMostTools);
         ToolData tool;
         tool.name = reader.text("name");
-        tool.length = reader.quantity("length", Dimension::Length).value_or(0);
-        tool.length_x = reader.quantity("length_x", Dimension::Length).value_or(0);
-        tool.radius = reader.magnitude("radius", Dimension::Length).value_or(0);
+        tool.length = reader.quantity("length", QuantityKind::Length).value_or(0);
+        tool.length_x = reader.quantity("length_x", QuantityKind::Length).value_or(0);
+        tool.radius = reader.magnitude("radius", QuantityKind::Length).value_or(0);
         tool.tip = static_cast<int>(reader.whole("tip", 0, 9).value_or(0));
         const bool has_edge = reader.has("edge");
         const auto edge = has_edge ? reader.whole("edge", 1, kMostEdges) : 1;
@@ -366,7 +369,7 @@ class MachineBuilder {
             message.arg(text).arg(is_code ? other : "not an M function; write `M10`");
             return;
         }
-        function.takes = reader.magnitude("takes", Dimension::Time).value_or(0);
+        function.takes = reader.magnitude("takes", QuantityKind::Time).value_or(0);
         const bool is_off = function.code == 5 || function.code == 9;
         function.acts = static_cast<FunctionTime>(
             reader.choice("acts", kFunctionTimes).value_or(is_off ? 2 : 0));
@@ -400,8 +403,8 @@ class MachineBuilder {
         for (std::size_t i = 0; i < kAxes; ++i) {
             const bool rotary = is_rotary(static_cast<Axis>(i));
             // Attribute names are the axes' in lower case, as everything in the file is.
-            const auto value =
-                reader.quantity(kOffsetAxes[i], rotary ? Dimension::Angle : Dimension::Length);
+            const auto value = reader.quantity(kOffsetAxes[i],
+                                               rotary ? QuantityKind::Angle : QuantityKind::Length);
             if (value) values[i] = rotary ? deg_from_rad(*value) : *value;
             if (value && !has_axis(static_cast<Axis>(i))) {
                 sink_.report(diag::MachineOffsetAxis, reader.location(kOffsetAxes[i]))
@@ -433,9 +436,10 @@ class MachineBuilder {
         if (!reader.has("number")) return;
         const auto number = reader.whole("number", 2, kMostSpindles);
         MachineSpindle spindle;
-        spindle.max_speed = reader.positive("max_speed", Dimension::AngularVelocity).value_or(0) /
-                            (2 * std::numbers::pi);
-        spindle.orient_time = reader.magnitude("orient_time", Dimension::Time).value_or(0);
+        spindle.max_speed =
+            reader.positive("max_speed", QuantityKind::AngularVelocity).value_or(0) /
+            (2 * std::numbers::pi);
+        spindle.orient_time = reader.magnitude("orient_time", QuantityKind::Time).value_or(0);
         if (!number || !described_.require_first("spindle " + std::to_string(*number),
                                                  reader.location("number")))
             return;
@@ -449,13 +453,14 @@ class MachineBuilder {
         if (!described_.require_first("the spindle drive", element.range)) return;
         const ElementReader reader(element, sink_);
         SpindleDrive& drive = drives_.spindle;
-        drive.inertia = reader.positive("inertia", Dimension::Inertia).value_or(1);
+        drive.inertia = reader.positive("inertia", QuantityKind::Inertia).value_or(1);
         drive.torque_constant =
-            reader.positive("torque_constant", Dimension::TorquePerCurrent).value_or(1);
-        drive.time_constant = reader.positive("time_constant", Dimension::Time).value_or(1);
-        drive.friction = reader.magnitude("friction", Dimension::Torque).value_or(0);
-        drive.damping = reader.magnitude("damping", Dimension::Damping).value_or(0);
-        drive.max_current = reader.positive("max_current", Dimension::Current).value_or(kInfinity);
+            reader.positive("torque_constant", QuantityKind::TorquePerCurrent).value_or(1);
+        drive.time_constant = reader.positive("time_constant", QuantityKind::Time).value_or(1);
+        drive.friction = reader.magnitude("friction", QuantityKind::Torque).value_or(0);
+        drive.damping = reader.magnitude("damping", QuantityKind::Damping).value_or(0);
+        drive.max_current =
+            reader.positive("max_current", QuantityKind::Current).value_or(kInfinity);
         has_spindle_drive_ = true;
     }
 
@@ -463,8 +468,8 @@ class MachineBuilder {
         if (!described_.require_first("the feed drive", element.range)) return;
         const ElementReader reader(element, sink_);
         FeedDrive& drive = drives_.feed;
-        drive.gain = reader.positive("gain", Dimension::Rate).value_or(1);
-        drive.time_constant = reader.positive("time_constant", Dimension::Time).value_or(1);
+        drive.gain = reader.positive("gain", QuantityKind::Rate).value_or(1);
+        drive.time_constant = reader.positive("time_constant", QuantityKind::Time).value_or(1);
         drive.feed_forward = reader.share("feed_forward").value_or(1);
         has_feed_drive_ = true;
     }
@@ -472,18 +477,18 @@ class MachineBuilder {
     void read_cutting(const XmlElement& element) {
         if (!described_.require_first("the cutting load", element.range)) return;
         const ElementReader reader(element, sink_);
-        drives_.cutting_force = reader.magnitude("force", Dimension::Force).value_or(0);
+        drives_.cutting_force = reader.magnitude("force", QuantityKind::Force).value_or(0);
     }
 
     void read_laser(const XmlElement& element) {
         if (!described_.require_first("the laser", element.range)) return;
         const ElementReader reader(element, sink_);
         Laser laser;
-        laser.pulse = reader.positive("pulse", Dimension::Frequency).value_or(0);
+        laser.pulse = reader.positive("pulse", QuantityKind::Frequency).value_or(0);
         laser.tolerance = reader.share("tolerance").value_or(0);
         laser.mode = static_cast<PulseMode>(reader.choice("mode", kPulseModes).value_or(0));
-        laser.power = reader.positive("power", Dimension::Power).value_or(0);
-        laser.least_power = reader.magnitude("least_power", Dimension::Power).value_or(0);
+        laser.power = reader.positive("power", QuantityKind::Power).value_or(0);
+        laser.least_power = reader.magnitude("least_power", QuantityKind::Power).value_or(0);
         if (laser.power > 0 && laser.least_power > laser.power) {
             sink_.report(diag::LaserLeastPower, reader.location("least_power"))
                 .arg(laser.least_power)

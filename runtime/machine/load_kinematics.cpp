@@ -72,7 +72,7 @@ class KinematicsReader {
         kinematics_.rule =
             static_cast<PathRule>(reader_.choice("path_choice", kPathRules).value_or(1));
         kinematics_.pole_tolerance =
-            reader_.magnitude("pole_tolerance", Dimension::Angle).value_or(0);
+            reader_.magnitude("pole_tolerance", QuantityKind::Angle).value_or(0);
         if (kinematics_.pole_tolerance > kGreatestPoleTolerance) {
             refuse(diag::KinematicsPoleTolerance, reader_.location("pole_tolerance"))
                 .arg(reader_.text("pole_tolerance"))
@@ -149,7 +149,7 @@ class KinematicsReader {
         if (const auto direction = direction_of(reader, "direction")) joint.direction = *direction;
         joint.sign = reader.choice("sign", kSigns).value_or(0) == 0 ? 1 : -1;
         if (!reader.has("point")) return;
-        if (const auto point = reader.triple("point", Dimension::Length))
+        if (const auto point = reader.triple("point", QuantityKind::Length))
             joint.point = vector_of(*point);
         else is_sound_ = false;
     }
@@ -223,7 +223,7 @@ class KinematicsReader {
 
     void read_vector(std::string_view attribute, Vec3& vector) {
         if (!reader_.has(attribute)) return;
-        if (const auto value = reader_.triple(attribute, Dimension::Length))
+        if (const auto value = reader_.triple(attribute, QuantityKind::Length))
             vector = vector_of(*value);
         else is_sound_ = false;
     }

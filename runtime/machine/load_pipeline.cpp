@@ -122,7 +122,7 @@ class PipelineReader {
         if (!described_.require_first("the stage `translate`", element.range)) return;
         const ElementReader reader(element, sink_);
         PipelineStage& stage = pipeline_.translate;
-        stage.period = reader.positive("period", Dimension::Time).value_or(0);
+        stage.period = reader.positive("period", QuantityKind::Time).value_or(0);
         set(stage.batch, reader.whole("batch", 1, kMostBatch));
         set(stage.queue, reader.whole("queue", 1, kMostQueue));
     }
@@ -132,7 +132,7 @@ class PipelineReader {
         if (!described_.require_first("the stage `" + name + '`', element.range)) return;
         const ElementReader reader(element, sink_);
         set(stage.queue, reader.whole("queue", 1, kMostQueue));
-        const auto period = reader.positive("period", Dimension::Time);
+        const auto period = reader.positive("period", QuantityKind::Time);
         if (!period) return;
         const double ticks = *period / machine_.tick;
         const double whole = std::round(ticks);

@@ -24,15 +24,15 @@ ProbeSolid read_plane(const ElementReader& reader) {
     ProbeSolid plane;
     plane.kind = ProbeSolid::Kind::Plane;
     plane.axis = reader.choice("axis", kAxes3).value_or(2);
-    plane.at = reader.quantity("at", Dimension::Length).value_or(0);
+    plane.at = reader.quantity("at", QuantityKind::Length).value_or(0);
     plane.is_above = reader.choice("material", kSides).value_or(0) == 1;
     return plane;
 }
 
 ProbeSolid read_block(const ElementReader& reader, DiagnosticSink& sink) {
     ProbeSolid block;
-    const auto from = reader.triple("from", Dimension::Length);
-    const auto to = reader.triple("to", Dimension::Length);
+    const auto from = reader.triple("from", QuantityKind::Length);
+    const auto to = reader.triple("to", QuantityKind::Length);
     block.from = vector_of(from).cwiseMin(vector_of(to));
     block.to = vector_of(from).cwiseMax(vector_of(to));
     for (std::size_t i = 0; from && to && i < 3; ++i) {
@@ -46,17 +46,17 @@ ProbeSolid read_block(const ElementReader& reader, DiagnosticSink& sink) {
 ProbeSolid read_boss(const ElementReader& reader) {
     ProbeSolid boss;
     boss.kind = ProbeSolid::Kind::Boss;
-    boss.from = vector_of(reader.triple("center", Dimension::Length));
-    boss.radius = reader.positive("diameter", Dimension::Length).value_or(1) / 2;
-    if (const auto height = reader.positive("height", Dimension::Length)) boss.height = *height;
+    boss.from = vector_of(reader.triple("center", QuantityKind::Length));
+    boss.radius = reader.positive("diameter", QuantityKind::Length).value_or(1) / 2;
+    if (const auto height = reader.positive("height", QuantityKind::Length)) boss.height = *height;
     return boss;
 }
 
 ProbeBore read_bore(const ElementReader& reader) {
     ProbeBore bore;
-    bore.center = vector_of(reader.triple("center", Dimension::Length));
-    bore.radius = reader.positive("diameter", Dimension::Length).value_or(1) / 2;
-    if (const auto depth = reader.positive("depth", Dimension::Length)) bore.depth = *depth;
+    bore.center = vector_of(reader.triple("center", QuantityKind::Length));
+    bore.radius = reader.positive("diameter", QuantityKind::Length).value_or(1) / 2;
+    if (const auto depth = reader.positive("depth", QuantityKind::Length)) bore.depth = *depth;
     return bore;
 }
 
@@ -65,10 +65,10 @@ ProbeBore read_bore(const ElementReader& reader) {
 ProbeScene read_probe(const XmlElement& element, DiagnosticSink& sink) {
     const ElementReader reader(element, sink);
     ProbeScene scene;
-    scene.radius = reader.magnitude("radius", Dimension::Length);
+    scene.radius = reader.magnitude("radius", QuantityKind::Length);
     scene.is_center_given = reader.choice("length_to", kEnds).value_or(0) == 1;
     if (reader.has("offset")) scene.offset = reader.whole("offset", 1, kMostOffsets).value_or(0);
-    scene.error = vector_of(reader.triple("error", Dimension::Length));
+    scene.error = vector_of(reader.triple("error", QuantityKind::Length));
     for (const XmlElement& child : element.children) {
         const ElementReader of(child, sink);
         if (child.name == "plane") scene.solids.push_back(read_plane(of));

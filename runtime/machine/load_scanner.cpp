@@ -110,13 +110,13 @@ class ScannerReader {
 
     Scanner read() {
         read_functions();
-        scanner_.half_field = reader_.positive("field", Dimension::Length).value_or(2) / 2;
-        scanner_.jump_speed = reader_.positive("jump_speed", Dimension::Velocity).value_or(1);
+        scanner_.half_field = reader_.positive("field", QuantityKind::Length).value_or(2) / 2;
+        scanner_.jump_speed = reader_.positive("jump_speed", QuantityKind::Velocity).value_or(1);
         scanner_.mark_speed =
-            reader_.positive("mark_speed", Dimension::Velocity).value_or(kInfinity);
-        scanner_.step = reader_.positive("step", Dimension::Time).value_or(scanner_.step);
-        scanner_.pulse = reader_.positive("pulse", Dimension::Frequency).value_or(0);
-        scanner_.chord_tolerance = reader_.positive("chord_tolerance", Dimension::Length)
+            reader_.positive("mark_speed", QuantityKind::Velocity).value_or(kInfinity);
+        scanner_.step = reader_.positive("step", QuantityKind::Time).value_or(scanner_.step);
+        scanner_.pulse = reader_.positive("pulse", QuantityKind::Frequency).value_or(0);
+        scanner_.chord_tolerance = reader_.positive("chord_tolerance", QuantityKind::Length)
                                        .value_or(scanner_.chord_tolerance);
         scanner_.list_size =
             static_cast<std::size_t>(reader_.whole("list_size", 1, kLongestList)
@@ -139,12 +139,12 @@ class ScannerReader {
 
     void read_delays() {
         ScannerDelays& delays = scanner_.delays;
-        delays.jump = reader_.magnitude("jump_delay", Dimension::Time).value_or(0);
-        delays.mark = reader_.magnitude("mark_delay", Dimension::Time).value_or(0);
-        delays.polygon = reader_.magnitude("polygon_delay", Dimension::Time).value_or(0);
+        delays.jump = reader_.magnitude("jump_delay", QuantityKind::Time).value_or(0);
+        delays.mark = reader_.magnitude("mark_delay", QuantityKind::Time).value_or(0);
+        delays.polygon = reader_.magnitude("polygon_delay", QuantityKind::Time).value_or(0);
         delays.polygon_turning = reader_.choice("polygon", kPolygonKinds).value_or(0) == 1;
-        delays.laser_on = reader_.quantity("laser_on_delay", Dimension::Time).value_or(0);
-        delays.laser_off = reader_.magnitude("laser_off_delay", Dimension::Time).value_or(0);
+        delays.laser_on = reader_.quantity("laser_on_delay", QuantityKind::Time).value_or(0);
+        delays.laser_off = reader_.magnitude("laser_off_delay", QuantityKind::Time).value_or(0);
         if (delays.laser_off > delays.mark + kRounding)
             report_beam("laser_off_delay", delays.laser_off, "mark_delay", delays.mark);
         if (-delays.laser_on > delays.jump + kRounding)

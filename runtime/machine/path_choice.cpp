@@ -84,9 +84,9 @@ struct Candidates {
 };
 
 /// What the five steps need to know of the block.
-class Choice {
+class PathChooser {
   public:
-    Choice(const Chain& chain, const PathQuery& query) : chain_(chain), query_(query) {
+    PathChooser(const Chain& chain, const PathQuery& query) : chain_(chain), query_(query) {
         end_direction_ = query.rotation * chain.tool_direction;
     }
 
@@ -435,7 +435,7 @@ PathQuery query_for(const Chain& chain, const Vec3& direction) {
 }
 
 Result<PathEnd, PathRefusal> choose_path(const Chain& chain, const PathQuery& query) {
-    return Choice(chain, query).decide();
+    return PathChooser(chain, query).decide();
 }
 
 bool crosses_gap(const Chain& chain, const Vec3& from, const Vec3& to) {

@@ -12,8 +12,8 @@ namespace kadr::machine {
 
 namespace {
 
-struct Unit {
-    Dimension dimension;
+struct MachineUnit {
+    QuantityKind dimension;
     std::string_view name;
     double factor;  // canonical value of one
 };
@@ -22,60 +22,60 @@ constexpr double kDegree = rad_from_deg(1);
 constexpr double kTurn = 2 * std::numbers::pi;
 
 constexpr std::array kUnits = {
-    Unit{Dimension::Time, "s", 1},
-    Unit{Dimension::Time, "ms", 1e-3},
-    Unit{Dimension::Time, "us", 1e-6},
-    Unit{Dimension::Length, "mm", 1},
-    Unit{Dimension::Length, "m", 1e3},
-    Unit{Dimension::Length, "um", 1e-3},
-    Unit{Dimension::Length, "in", kMmPerInch},
-    Unit{Dimension::Angle, "deg", kDegree},
-    Unit{Dimension::Angle, "rad", 1},
-    Unit{Dimension::Velocity, "m/min", 1e3 / 60},
-    Unit{Dimension::Velocity, "mm/min", 1.0 / 60},
-    Unit{Dimension::Velocity, "mm/s", 1},
-    Unit{Dimension::Velocity, "m/s", 1e3},
-    Unit{Dimension::Velocity, "in/min", kMmPerInch / 60},
-    Unit{Dimension::AngularVelocity, "rpm", kTurn / 60},
-    Unit{Dimension::AngularVelocity, "deg/s", kDegree},
-    Unit{Dimension::AngularVelocity, "deg/min", kDegree / 60},
-    Unit{Dimension::AngularVelocity, "rad/s", 1},
-    Unit{Dimension::Acceleration, "m/s2", 1e3},
-    Unit{Dimension::Acceleration, "mm/s2", 1},
-    Unit{Dimension::AngularAcceleration, "deg/s2", kDegree},
-    Unit{Dimension::AngularAcceleration, "rad/s2", 1},
-    Unit{Dimension::Jerk, "m/s3", 1e3},
-    Unit{Dimension::Jerk, "mm/s3", 1},
-    Unit{Dimension::AngularJerk, "deg/s3", kDegree},
-    Unit{Dimension::AngularJerk, "rad/s3", 1},
-    Unit{Dimension::Force, "N", 1},
-    Unit{Dimension::Force, "kN", 1e3},
-    Unit{Dimension::Torque, "Nm", 1},
-    Unit{Dimension::Inertia, "kg m2", 1},
-    Unit{Dimension::Inertia, "kg cm2", 1e-4},
-    Unit{Dimension::Damping, "Nm s", 1},
-    Unit{Dimension::Current, "A", 1},
-    Unit{Dimension::TorquePerCurrent, "Nm/A", 1},
-    Unit{Dimension::Rate, "1/s", 1},
-    Unit{Dimension::Frequency, "Hz", 1},
-    Unit{Dimension::Frequency, "kHz", 1e3},
-    Unit{Dimension::Power, "W", 1},
-    Unit{Dimension::Power, "kW", 1e3},
-    Unit{Dimension::Share, "%", 1e-2},
+    MachineUnit{QuantityKind::Time, "s", 1},
+    MachineUnit{QuantityKind::Time, "ms", 1e-3},
+    MachineUnit{QuantityKind::Time, "us", 1e-6},
+    MachineUnit{QuantityKind::Length, "mm", 1},
+    MachineUnit{QuantityKind::Length, "m", 1e3},
+    MachineUnit{QuantityKind::Length, "um", 1e-3},
+    MachineUnit{QuantityKind::Length, "in", kMmPerInch},
+    MachineUnit{QuantityKind::Angle, "deg", kDegree},
+    MachineUnit{QuantityKind::Angle, "rad", 1},
+    MachineUnit{QuantityKind::Velocity, "m/min", 1e3 / 60},
+    MachineUnit{QuantityKind::Velocity, "mm/min", 1.0 / 60},
+    MachineUnit{QuantityKind::Velocity, "mm/s", 1},
+    MachineUnit{QuantityKind::Velocity, "m/s", 1e3},
+    MachineUnit{QuantityKind::Velocity, "in/min", kMmPerInch / 60},
+    MachineUnit{QuantityKind::AngularVelocity, "rpm", kTurn / 60},
+    MachineUnit{QuantityKind::AngularVelocity, "deg/s", kDegree},
+    MachineUnit{QuantityKind::AngularVelocity, "deg/min", kDegree / 60},
+    MachineUnit{QuantityKind::AngularVelocity, "rad/s", 1},
+    MachineUnit{QuantityKind::Acceleration, "m/s2", 1e3},
+    MachineUnit{QuantityKind::Acceleration, "mm/s2", 1},
+    MachineUnit{QuantityKind::AngularAcceleration, "deg/s2", kDegree},
+    MachineUnit{QuantityKind::AngularAcceleration, "rad/s2", 1},
+    MachineUnit{QuantityKind::Jerk, "m/s3", 1e3},
+    MachineUnit{QuantityKind::Jerk, "mm/s3", 1},
+    MachineUnit{QuantityKind::AngularJerk, "deg/s3", kDegree},
+    MachineUnit{QuantityKind::AngularJerk, "rad/s3", 1},
+    MachineUnit{QuantityKind::Force, "N", 1},
+    MachineUnit{QuantityKind::Force, "kN", 1e3},
+    MachineUnit{QuantityKind::Torque, "Nm", 1},
+    MachineUnit{QuantityKind::Inertia, "kg m2", 1},
+    MachineUnit{QuantityKind::Inertia, "kg cm2", 1e-4},
+    MachineUnit{QuantityKind::Damping, "Nm s", 1},
+    MachineUnit{QuantityKind::Current, "A", 1},
+    MachineUnit{QuantityKind::TorquePerCurrent, "Nm/A", 1},
+    MachineUnit{QuantityKind::Rate, "1/s", 1},
+    MachineUnit{QuantityKind::Frequency, "Hz", 1},
+    MachineUnit{QuantityKind::Frequency, "kHz", 1e3},
+    MachineUnit{QuantityKind::Power, "W", 1},
+    MachineUnit{QuantityKind::Power, "kW", 1e3},
+    MachineUnit{QuantityKind::Share, "%", 1e-2},
 };
 
-const Unit* find_unit(std::string_view name, Dimension dimension) {
-    for (const Unit& unit : kUnits) {
+const MachineUnit* find_unit(std::string_view name, QuantityKind dimension) {
+    for (const MachineUnit& unit : kUnits) {
         if (unit.dimension == dimension && unit.name == name) return &unit;
     }
     return nullptr;
 }
 
 /// The factor of the unit that `text` consists of.
-Result<double, QuantityError> unit_factor(std::string_view text, Dimension dimension) {
+Result<double, QuantityError> unit_factor(std::string_view text, QuantityKind dimension) {
     text = trimmed(text);
     if (text.empty()) return QuantityError{QuantityFault::UnitMissing, text};
-    const Unit* unit = find_unit(text, dimension);
+    const MachineUnit* unit = find_unit(text, dimension);
     if (unit == nullptr) return QuantityError{QuantityFault::UnitUnknown, text};
     return unit->factor;
 }
@@ -88,7 +88,7 @@ bool has_decimal_comma(const char* number_end, const char* end) {
 
 }  // namespace
 
-Result<double, QuantityError> parse_quantity(std::string_view text, Dimension dimension) {
+Result<double, QuantityError> parse_quantity(std::string_view text, QuantityKind dimension) {
     text = trimmed(text);
     const char* const end = text.data() + text.size();
     const Decimal number = parse_decimal(text.data(), end);
@@ -100,7 +100,7 @@ Result<double, QuantityError> parse_quantity(std::string_view text, Dimension di
     return number.value * *factor;
 }
 
-Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimension) {
+Result<Range, QuantityError> parse_range(std::string_view text, QuantityKind dimension) {
     text = trimmed(text);
     std::size_t dots = text.find("..");
     if (dots == std::string_view::npos) return QuantityError{QuantityFault::NotANumber, text};
@@ -130,9 +130,9 @@ Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimens
     return Range{lower.value * *factor, upper.value * *factor};
 }
 
-std::string unit_names(Dimension dimension) {
+std::string unit_names(QuantityKind dimension) {
     std::vector<std::string_view> names;
-    for (const Unit& unit : kUnits) {
+    for (const MachineUnit& unit : kUnits) {
         if (unit.dimension == dimension) names.push_back(unit.name);
     }
     std::string text;
@@ -143,27 +143,27 @@ std::string unit_names(Dimension dimension) {
     return text;
 }
 
-std::string_view dimension_name(Dimension dimension) {
+std::string_view dimension_name(QuantityKind dimension) {
     switch (dimension) {
-        case Dimension::Time: return "a time";
-        case Dimension::Length: return "a length";
-        case Dimension::Angle: return "an angle";
-        case Dimension::Velocity: return "a velocity";
-        case Dimension::AngularVelocity: return "a speed of rotation";
-        case Dimension::Acceleration: return "an acceleration";
-        case Dimension::AngularAcceleration: return "an angular acceleration";
-        case Dimension::Jerk: return "a jerk";
-        case Dimension::AngularJerk: return "an angular jerk";
-        case Dimension::Force: return "a force";
-        case Dimension::Torque: return "a torque";
-        case Dimension::Inertia: return "an inertia";
-        case Dimension::Damping: return "a damping";
-        case Dimension::Current: return "a current";
-        case Dimension::TorquePerCurrent: return "a torque constant";
-        case Dimension::Rate: return "a gain";
-        case Dimension::Frequency: return "a frequency";
-        case Dimension::Power: return "a power";
-        case Dimension::Share: return "a share";
+        case QuantityKind::Time: return "a time";
+        case QuantityKind::Length: return "a length";
+        case QuantityKind::Angle: return "an angle";
+        case QuantityKind::Velocity: return "a velocity";
+        case QuantityKind::AngularVelocity: return "a speed of rotation";
+        case QuantityKind::Acceleration: return "an acceleration";
+        case QuantityKind::AngularAcceleration: return "an angular acceleration";
+        case QuantityKind::Jerk: return "a jerk";
+        case QuantityKind::AngularJerk: return "an angular jerk";
+        case QuantityKind::Force: return "a force";
+        case QuantityKind::Torque: return "a torque";
+        case QuantityKind::Inertia: return "an inertia";
+        case QuantityKind::Damping: return "a damping";
+        case QuantityKind::Current: return "a current";
+        case QuantityKind::TorquePerCurrent: return "a torque constant";
+        case QuantityKind::Rate: return "a gain";
+        case QuantityKind::Frequency: return "a frequency";
+        case QuantityKind::Power: return "a power";
+        case QuantityKind::Share: return "a share";
     }
     return "a quantity";
 }

@@ -12,7 +12,7 @@
 
 namespace kadr::machine {
 
-enum class Dimension : std::uint8_t {
+enum class QuantityKind : std::uint8_t {
     Time,
     Length,
     Angle,
@@ -49,14 +49,14 @@ struct Range {
 /// A number and a unit of the dimension, in canonical units: mm or rad, and seconds; an
 /// AngularVelocity in `rpm` is rad/s too. What belongs to drives is in SI units: N, N·m, kg·m²,
 /// N·m·s, A, 1/s, Hz, W; a Share is a number, 1 for `100 %`.
-Result<double, QuantityError> parse_quantity(std::string_view text, Dimension dimension);
+Result<double, QuantityError> parse_quantity(std::string_view text, QuantityKind dimension);
 
 /// `lower..upper unit`, canonical; the order of the two is the caller's matter.
-Result<Range, QuantityError> parse_range(std::string_view text, Dimension dimension);
+Result<Range, QuantityError> parse_range(std::string_view text, QuantityKind dimension);
 
 /// The unit's names, for messages: "`mm`, `m` or `in`".
-std::string unit_names(Dimension dimension);
+std::string unit_names(QuantityKind dimension);
 /// What the dimension is called in messages: "a length".
-std::string_view dimension_name(Dimension dimension);
+std::string_view dimension_name(QuantityKind dimension);
 
 }  // namespace kadr::machine

@@ -86,7 +86,7 @@ std::optional<std::int64_t> ActiveCodes::place(std::int64_t group_number) const 
     return list->standard == 0 || !group ? list->standard : place_in(*list, *group);
 }
 
-std::int64_t ActiveCodes::place_in(const nc::CodeList& list, std::size_t group) const {
+std::int64_t ActiveCodes::place_in(const nc::GroupCodes& list, std::size_t group) const {
     // A code that is no modal function of the vocabulary acts since it was programmed.
     const nc::FormId last = modes_.last_form(group);
     const bool is_given =

@@ -28,7 +28,7 @@ class ActiveCodes {
     /// group has no list.
     std::optional<std::int64_t> place(std::int64_t group_number) const;
     /// The same in the list of this group.
-    std::int64_t place_in(const nc::CodeList& list, std::size_t group) const;
+    std::int64_t place_in(const nc::GroupCodes& list, std::size_t group) const;
 
   private:
     std::optional<std::size_t> group_of(std::int64_t group_number) const;

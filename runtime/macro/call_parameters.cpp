@@ -18,8 +18,8 @@ using nc::quoted;
 
 namespace {
 
-nc::Symbol symbol_of(const nc::ProcedureParameter& parameter) {
-    nc::Symbol symbol;
+nc::ControlSymbol symbol_of(const nc::ProcedureParameter& parameter) {
+    nc::ControlSymbol symbol;
     symbol.name = parameter.declaration.name;
     symbol.type = parameter.type;
     symbol.dimensions = parameter.declaration.dimensions;
@@ -72,11 +72,11 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
     const GivenValue& given_value =
         index < call.arguments.size() ? call.arguments[index] : kNothing;
     run_.variables.level().given[index] = given_value.is_given;
-    nc::Symbol symbol = symbol_of(parameter);
-    const auto work_out = [&](const nc::Expression& expression, Value& out) {
+    nc::ControlSymbol symbol = symbol_of(parameter);
+    const auto work_out = [&](const nc::Expression& expression, ControlValue& out) {
         return run_.evaluator.run(head, expression, out) == Evaluator::Outcome::Done;
     };
-    Value size;
+    ControlValue size;
     if (parameter.type_size.is_given() && work_out(parameter.type_size, size)) {
         symbol.text_size = static_cast<std::uint32_t>(
             std::clamp<double>(size.number, 1, run_.language.rules.most_text));
@@ -104,9 +104,10 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
                          given_value.is_given ? given_value.span : nc::Span{0, 1},
                          {name, std::to_string(kMostElements)});
     }
-    const nc::Symbol& added = run_.variables.declare(std::move(symbol));
+    const nc::ControlSymbol& added = run_.variables.declare(std::move(symbol));
     const nc::Span span = given_value.is_given ? given_value.span : nc::Span{0, 1};
-    const auto set = [&](std::uint32_t position, const Value& value, const Content& content) {
+    const auto set = [&](std::uint32_t position, const ControlValue& value,
+                         const Content& content) {
         const auto fault =
             run_.variables.store_element(added, added.slot + position, value, content);
         if (fault.row == nullptr) return Outcome::Nothing;
@@ -124,7 +125,7 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
         const std::uint32_t most = std::min(added.count(), given_value.variable.symbol->count());
         Outcome done = Outcome::Nothing;
         for (std::uint32_t i = 0; i < most && goes_on(done); ++i) {
-            const Value& value = from.values[given_value.variable.slot + i];
+            const ControlValue& value = from.values[given_value.variable.slot + i];
             if (!value.is_vacant()) done = set(i, value, from.content(value));
         }
         return done;
@@ -136,7 +137,7 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
     const std::vector<nc::Expression>& defaults = parameter.declaration.values;
     Outcome done = Outcome::Nothing;
     for (std::size_t i = 0; i < defaults.size() && i < added.count(); ++i) {
-        Value value;
+        ControlValue value;
         if (!defaults[i].is_given() || !work_out(defaults[i], value)) continue;
         if (!goes_on(set(static_cast<std::uint32_t>(i), value, run_.evaluator.content(value))))
             done = Outcome::Failed;
@@ -146,7 +147,7 @@ Outcome CallParameters::bind_parameter(CompiledLine& line, const PreparedCall& c
 
 /// The parameter is the caller's variable: of the same type, an array of the same dimensions.
 Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
-                                       const GivenValue& given_value, nc::Symbol symbol) {
+                                       const GivenValue& given_value, nc::ControlSymbol symbol) {
     const ControlVariables::VariableRef& variable = given_value.variable;
     const nc::Span span = given_value.is_given      ? given_value.span
                           : line.line.calls.empty() ? nc::Span{0, 1}
@@ -174,7 +175,7 @@ Outcome CallParameters::bind_reference(CompiledLine& line, const nc::ProcedurePa
 
 /// For who looks on: the parameter has the value of the caller's variable, and what the variable
 /// was before the call is reported when it returns.
-void CallParameters::note_reference(const nc::Symbol& symbol,
+void CallParameters::note_reference(const nc::ControlSymbol& symbol,
                                     const ControlVariables::VariableRef& variable) {
     if (!run_.variables.notes_changes() || symbol.dimensions > 0) return;
     ControlVariables::VariableRef named = variable;

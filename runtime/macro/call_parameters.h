@@ -24,8 +24,9 @@ class CallParameters {
   private:
     Outcome bind_parameter(CompiledLine& line, const PreparedCall& call, std::size_t index);
     Outcome bind_reference(CompiledLine& line, const nc::ProcedureParameter& parameter,
-                           const GivenValue& given, nc::Symbol symbol);
-    void note_reference(const nc::Symbol& symbol, const ControlVariables::VariableRef& variable);
+                           const GivenValue& given, nc::ControlSymbol symbol);
+    void note_reference(const nc::ControlSymbol& symbol,
+                        const ControlVariables::VariableRef& variable);
 
     ProgramBase& run_;
     std::vector<ReturnedVariable> references_;  // of the call that is prepared

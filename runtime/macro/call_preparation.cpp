@@ -37,7 +37,7 @@ Outcome CallPreparation::number_of(CompiledLine& line, const nc::CallValue& valu
         out = value.decimal.value;
         return Outcome::Nothing;
     }
-    Value found;
+    ControlValue found;
     const Outcome done = run_.evaluate(line, value.value, found);
     if (!goes_on(done)) return done;
     if (found.is_text())
@@ -51,7 +51,7 @@ Outcome CallPreparation::program_name(CompiledLine& line, const ControlStatement
                                       const CallForm* form, PreparedCall& out, ProgramName& found) {
     std::string& name = found.name;
     if (statement.kind == Statement::CallByText) {
-        Value text;
+        ControlValue text;
         const Outcome done = run_.evaluate(line, statement.second, text);
         if (!goes_on(done)) return done;
         if (!text.is_text())
@@ -153,7 +153,7 @@ Outcome CallPreparation::prepare_passes(CompiledLine& line, const nc::CallValue&
     if (!goes_on(done) || !count) return done;
     if (!(*count >= 1 && *count <= run_.language.rules.most_passes))
         return run_.fail(line, diag::RepeatCount, passes.span,
-                         {run_.evaluator.written(Value::real(*count))});
+                         {run_.evaluator.written(ControlValue::real(*count))});
     out.passes = static_cast<std::int64_t>(*count);
     return Outcome::Nothing;
 }
@@ -228,10 +228,10 @@ Outcome CallPreparation::prepare_letters(CompiledLine& line, const nc::Call& wor
                 number = read_meaning(argument.decimal, address.format, address.dimension,
                                       run_.lines.modes().units());
             }
-            run_.variables.set_argument(*out.level, argument.slot, Value::real(number));
+            run_.variables.set_argument(*out.level, argument.slot, ControlValue::real(number));
             continue;
         }
-        Value value;
+        ControlValue value;
         const Outcome done = run_.evaluate(line, argument.value, value);
         if (!goes_on(done)) return done;
         run_.variables.set_argument(*out.level, argument.slot, value);

@@ -52,7 +52,7 @@ Outcome ComputedWords::read(CompiledLine& line, Block& out) {
     for (std::size_t i = 0; i < code.computed.size(); ++i) {
         const bool is_fine_round =
             run_.language.rules.round_in_word && code.computed[i].argument < 0;
-        Value value;
+        ControlValue value;
         const Outcome done = run_.evaluate(
             line, code.computed[i].value, value,
             is_fine_round ? nc::value_decimals(run_.tables, run_.lines.modes().units(), code, i)
@@ -105,7 +105,7 @@ Outcome ComputedWords::let_axis_move_alone(CompiledLine& line, Block& out) {
 }
 
 /// The axis that a value is, or that it counts where no value is an axis; nothing: there is none.
-static std::optional<Axis> axis_of(const ControlVariables& variables, const Value& value) {
+static std::optional<Axis> axis_of(const ControlVariables& variables, const ControlValue& value) {
     if (value.axis() || !value.is_number()) return value.axis();
     const auto has_number = [&](std::string_view name) {
         const auto axis =
@@ -122,7 +122,7 @@ static std::optional<Axis> axis_of(const ControlVariables& variables, const Valu
 /// `ACC[AXA]=50` that of `ACC[X]`, `S[R1]=500` that of `S2`, or S where it is the first spindle.
 Outcome ComputedWords::set_axes(CompiledLine& line) {
     for (const nc::ComputedAxis& computed : line.line.axes) {
-        Value value;
+        ControlValue value;
         const Outcome done = run_.evaluate(line, computed.axis, value);
         if (!goes_on(done)) return done;
         nc::GivenWord& word = line.line.words.words[computed.word];
@@ -159,8 +159,8 @@ Outcome ComputedWords::set_axes(CompiledLine& line) {
 /// Words that name a code by its group and its index there become that code.
 Outcome ComputedWords::set_codes(CompiledLine& line) {
     for (const nc::ComputedCode& computed : line.line.codes) {
-        Value group;
-        Value number;
+        ControlValue group;
+        ControlValue number;
         Outcome done = run_.evaluate(line, computed.group, group);
         if (!goes_on(done)) return done;
         done = run_.evaluate(line, computed.number, number);

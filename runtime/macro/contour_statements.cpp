@@ -32,7 +32,7 @@ std::optional<ContourCut> cut_of(std::string_view kind) {
 }
 
 /// Whether it is a table with so many columns, of reals.
-bool is_table(const nc::Symbol& symbol, std::size_t columns) {
+bool is_table(const nc::ControlSymbol& symbol, std::size_t columns) {
     return symbol.type == nc::ValueType::Real && symbol.dimensions == 2 &&
            symbol.sizes[1] == columns;
 }
@@ -66,12 +66,12 @@ Outcome ContourStatements::begin(CompiledLine& line, const ControlStatement& sta
                          {"the table", table_with(columns)});
     }
     if (!open.is_coded) {
-        Value kind;
+        ControlValue kind;
         Outcome done = run_.evaluate(line, statement.value, kind);
         if (!goes_on(done)) return done;
         const std::string letter = kind.is_text() ? std::string(run_.evaluator.text(kind))
-                                   : kind.kind == Value::Kind::Char ? kind.character()
-                                                                    : std::string();
+                                   : kind.kind == ControlValue::Kind::Char ? kind.character()
+                                                                           : std::string();
         const auto cut = cut_of(letter);
         if (!cut)
             return run_.fail(line, diag::ContourKind, statement.value.span,
@@ -92,7 +92,7 @@ Outcome ContourStatements::begin(CompiledLine& line, const ControlStatement& sta
         }
     }
     if (statement.count.is_given()) {
-        Value ways;
+        ControlValue ways;
         const Outcome done = run_.evaluate(line, statement.count, ways);
         if (!goes_on(done)) return done;
         const bool is_fine =
@@ -153,7 +153,7 @@ Outcome ContourStatements::end(CompiledLine& line, const ControlStatement& state
         run_.variables.set_number(open.undercuts, 0, prepared->undercuts);
     }
     // What is wrong with a contour is an alarm here, so that this never reports an error (unsure).
-    return run_.store(line, statement.variable, Value::of(0, nc::ValueType::Int));
+    return run_.store(line, statement.variable, ControlValue::of(0, nc::ValueType::Int));
 }
 
 Outcome ContourStatements::run_row(CompiledLine& line, const ControlStatement& statement,
@@ -168,7 +168,7 @@ Outcome ContourStatements::run_row(CompiledLine& line, const ControlStatement& s
         case Evaluator::Outcome::Later: return Outcome::Wait;
         case Evaluator::Outcome::Fault: return run_.fail(line, run_.evaluator.fault());
     }
-    const nc::Symbol& table = run_.variables.level().symbols.at(row.load.index);
+    const nc::ControlSymbol& table = run_.variables.level().symbols.at(row.load.index);
     if (!is_table(table, kContourColumns))
         return run_.fail(line, diag::ArgumentDiffers, row.span,
                          {"the table", table_with(kContourColumns)});

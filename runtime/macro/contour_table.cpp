@@ -94,7 +94,7 @@ double steepest(const Element& shape, bool is_face) {
 }
 
 /// The contour in one direction, divided and closed, with the rows of its pieces.
-class Chain {
+class ElementChain {
   public:
     struct Piece {
         ContourElement element;
@@ -103,7 +103,7 @@ class Chain {
     };
 
     /// next  the first row for what is divided, and from there on by `step`
-    Chain(const ContourCut& cut, std::int64_t next, std::int64_t step)
+    ElementChain(const ContourCut& cut, std::int64_t next, std::int64_t step)
         : heights_(cut), next_(next), step_(step) {}
 
     /// `row` is that of the element's first piece.
@@ -220,8 +220,9 @@ void fill_shape(ContourRow& cells, const ContourElement& element, bool is_face) 
 }
 
 /// The rows of a chain, each with the numbers of the ones before and behind it.
-void fill_chain(const Chain& chain, bool is_face, std::vector<RowAtNumber<ContourRow>>& out) {
-    const std::vector<Chain::Piece>& pieces = chain.pieces();
+void fill_chain(const ElementChain& chain, bool is_face,
+                std::vector<RowAtNumber<ContourRow>>& out) {
+    const std::vector<ElementChain::Piece>& pieces = chain.pieces();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         RowAtNumber<ContourRow> row{static_cast<std::size_t>(pieces[i].row), {}};
         if (i > 0) row.cells[0] = static_cast<double>(pieces[i - 1].row);
@@ -240,11 +241,11 @@ Result<PreparedContour, ContourFault> prepared_contour(std::span<const ContourEl
     if (std::ranges::any_of(elements, is_full_circle)) return ContourFault::FullCircle;
     const auto count = static_cast<std::int64_t>(elements.size()) - 1;
     const auto last = static_cast<std::int64_t>(rows) - 1;
-    Chain forwards(cut, count + 1, 1);
+    ElementChain forwards(cut, count + 1, 1);
     for (std::int64_t i = 1; i <= count; ++i)
         forwards.add(elements[static_cast<std::size_t>(i)], i);
     forwards.close();
-    Chain backwards(cut, last - count - 1, -1);
+    ElementChain backwards(cut, last - count - 1, -1);
     for (std::int64_t i = count; cut.both_ways && i >= 1; --i)
         backwards.add(reversed(elements[static_cast<std::size_t>(i)]), last - i);
     backwards.close();

@@ -70,7 +70,7 @@ std::optional<std::string> shown(const Specifier& specifier, const FormatValue& 
         case 'C':
             if (value.is_text && count_code_points(value.text) == 1) return std::string(value.text);
             if (!is_whole || whole < 0 || whole > 255) return std::nullopt;
-            return Value::of(whole, nc::ValueType::Char).character();
+            return ControlValue::of(whole, nc::ValueType::Char).character();
         case 'B':
             if (value.is_text) return std::nullopt;
             return value.number != 0 ? "TRUE" : "FALSE";

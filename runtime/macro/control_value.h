@@ -17,17 +17,17 @@ namespace kadr::macro {
 
 /// A value while it is worked out. A text, or a frame, is an index into those of who holds the
 /// value; an axis is below zero: −1 X, −2 Y …
-struct Value {
+struct ControlValue {
     enum class Kind : std::uint8_t { Vacant, Real, Int, Bool, Char, Text, Axis, Frame };
     double number = 0;
     std::uint32_t text = 0;
     Kind kind = Kind::Vacant;
 
-    static Value of(double number, nc::ValueType type) {
+    static ControlValue of(double number, nc::ValueType type) {
         return {number, 0, static_cast<Kind>(static_cast<std::uint8_t>(type) + 1)};
     }
-    static Value real(double number) { return {number, 0, Kind::Real}; }
-    static Value truth(bool is_true) { return {is_true ? 1.0 : 0.0, 0, Kind::Bool}; }
+    static ControlValue real(double number) { return {number, 0, Kind::Real}; }
+    static ControlValue truth(bool is_true) { return {is_true ? 1.0 : 0.0, 0, Kind::Bool}; }
     bool is_text() const { return kind == Kind::Text; }
     bool is_frame() const { return kind == Kind::Frame; }
     /// Neither a text nor an axis nor a frame.
@@ -40,7 +40,7 @@ struct Value {
     }
     /// A spindle that stands where axes do; far below the names of axes.
     static constexpr double kSpindles = -1000;
-    static Value spindle_of(double of) { return {kSpindles - of, 0, Kind::Axis}; }
+    static ControlValue spindle_of(double of) { return {kSpindles - of, 0, Kind::Axis}; }
     std::optional<std::int64_t> spindle() const {
         if (kind != Kind::Axis || !(number < kSpindles)) return std::nullopt;
         return static_cast<std::int64_t>(kSpindles - number);
@@ -57,12 +57,12 @@ struct Value {
 };
 
 /// "a number", "a text", "an axis", "a frame": for messages.
-inline std::string_view kind_name(const Value& value) {
+inline std::string_view kind_name(const ControlValue& value) {
     switch (value.kind) {
-        case Value::Kind::Text: return "a text";
-        case Value::Kind::Axis:
+        case ControlValue::Kind::Text: return "a text";
+        case ControlValue::Kind::Axis:
             return value.axis() || value.spindle() ? "an axis" : "an axis without a value";
-        case Value::Kind::Frame: return "a frame";
+        case ControlValue::Kind::Frame: return "a frame";
         default: return "a number";
     }
 }
@@ -75,24 +75,24 @@ struct Content {
 
 /// Variables side by side; one that was never set is vacant.
 struct Store {
-    std::vector<Value> values;
+    std::vector<ControlValue> values;
     std::vector<std::string> texts;  // of the text variables among them, one for each slot
     std::vector<control::ControlFrame> frames;  // … of those that are frames
 
     void grow(std::size_t count) { values.resize(std::max(values.size(), count)); }
-    Content content(const Value& value) const {
+    Content content(const ControlValue& value) const {
         return {value.is_text() ? std::string_view(texts[value.text]) : std::string_view(),
                 value.is_frame() ? &frames[value.text] : nullptr};
     }
     void set_text(std::uint32_t slot, std::string_view text) {
         texts.resize(std::max<std::size_t>(texts.size(), slot + std::size_t{1}));
         texts[slot] = text;
-        values[slot] = {0, slot, Value::Kind::Text};
+        values[slot] = {0, slot, ControlValue::Kind::Text};
     }
     void set_frame(std::uint32_t slot, const control::ControlFrame& frame) {
         frames.resize(std::max<std::size_t>(frames.size(), slot + std::size_t{1}));
         frames[slot] = frame;
-        values[slot] = {0, slot, Value::Kind::Frame};
+        values[slot] = {0, slot, ControlValue::Kind::Frame};
     }
 };
 

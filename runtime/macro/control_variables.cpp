@@ -8,7 +8,7 @@
 
 namespace kadr::macro {
 
-using nc::Instruction;
+using nc::ControlInstruction;
 using nc::VariableRange;
 
 ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineReader& reader)
@@ -23,7 +23,7 @@ ControlVariables::ControlVariables(const nc::Dialect& dialect, const nc::LineRea
             if (!range.has_initial || range.kind != VariableRange::Kind::Global) continue;
             for (std::int64_t i = 0; i <= range.last - range.first; ++i)
                 globals_.values[range.slot + static_cast<std::size_t>(i)] =
-                    Value::of(range.value, range.type);
+                    ControlValue::of(range.value, range.type);
         }
     }
     main_.locals.grow(language_.local_slots);
@@ -37,26 +37,26 @@ std::unique_ptr<Level> ControlVariables::new_level() {
 }
 
 void ControlVariables::share_definitions(Level& level) {
-    const std::span<const nc::Symbol> all = definitions_.symbols.all();
+    const std::span<const nc::ControlSymbol> all = definitions_.symbols.all();
     for (std::size_t i = 0; i < all.size(); ++i) {
-        nc::Symbol symbol = all[i];
+        nc::ControlSymbol symbol = all[i];
         symbol.is_reference = symbol.is_shared = true;
         bind(level, std::move(symbol), *definitions_.stores[i]);
     }
 }
 
-const nc::Symbol& ControlVariables::declare(nc::Symbol symbol) {
+const nc::ControlSymbol& ControlVariables::declare(nc::ControlSymbol symbol) {
     Store& store = symbol.is_plain() ? level_->locals : level_->elements;
     symbol.slot = static_cast<std::uint32_t>(store.values.size());
     store.grow(symbol.slot + std::size_t{symbol.count()});
     bind(*level_, std::move(symbol), store);
-    const nc::Symbol& added = level_->symbols.all().back();
+    const nc::ControlSymbol& added = level_->symbols.all().back();
     if (changes_ != nullptr && added.dimensions == 0)
         note_change({}, shown_in(store, added.slot, &added));
     return added;
 }
 
-void ControlVariables::bind(Level& level, nc::Symbol symbol, Store& store) {
+void ControlVariables::bind(Level& level, nc::ControlSymbol symbol, Store& store) {
     // Code names single values by their slots: each symbol has one, so that they are the same in
     // every call, whatever sizes arrays have.
     if (!symbol.is_plain()) level.locals.grow(level.locals.values.size() + 1);
@@ -64,12 +64,13 @@ void ControlVariables::bind(Level& level, nc::Symbol symbol, Store& store) {
     level.stores.push_back(&store);
 }
 
-ControlVariables::VariableRef ControlVariables::variable_of(const Instruction& load,
+ControlVariables::VariableRef ControlVariables::variable_of(const ControlInstruction& load,
                                                             std::span<const std::int64_t> indices) {
     switch (load.kind) {
-        case Instruction::Kind::Global: return {&globals_, load.index, load.type, nullptr};
-        case Instruction::Kind::Local: return {&level_->locals, load.index, load.type, nullptr};
-        case Instruction::Kind::Family: {
+        case ControlInstruction::Kind::Global: return {&globals_, load.index, load.type, nullptr};
+        case ControlInstruction::Kind::Local:
+            return {&level_->locals, load.index, load.type, nullptr};
+        case ControlInstruction::Kind::Family: {
             const VariableRange* range = find_range(language_.variables[load.index], indices[0]);
             const bool is_global = range != nullptr && range->kind == VariableRange::Kind::Global;
             if (!is_global && (range == nullptr || range->kind != VariableRange::Kind::Local))
@@ -77,8 +78,8 @@ ControlVariables::VariableRef ControlVariables::variable_of(const Instruction& l
             const auto slot = static_cast<std::uint32_t>(range->slot + (indices[0] - range->first));
             return {is_global ? &globals_ : &level_->locals, slot, range->type, nullptr};
         }
-        case Instruction::Kind::Element: {
-            const nc::Symbol& symbol = level_->symbols.at(load.index);
+        case ControlInstruction::Kind::Element: {
+            const nc::ControlSymbol& symbol = level_->symbols.at(load.index);
             const bool is_whole = load.count == 0;
             const auto slot =
                 is_whole ? std::optional(symbol.slot) : Evaluator::element(symbol, indices);
@@ -96,7 +97,7 @@ bool ControlVariables::set_global(std::string_view name, double value) {
         const VariableRange* range = number ? find_range(form, *number) : nullptr;
         if (range == nullptr || range->kind != VariableRange::Kind::Global) continue;
         const auto slot = static_cast<std::size_t>(range->slot + (*number - range->first));
-        globals_.values[slot] = Value::of(value, range->type);
+        globals_.values[slot] = ControlValue::of(value, range->type);
         return true;
     }
     return false;
@@ -112,7 +113,8 @@ Variables::Answer ControlVariables::system(nc::SystemQuantity quantity, std::int
     return Answer::Value;
 }
 
-Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t number, Value& out) {
+Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t number,
+                                           ControlValue& out) {
     const VariableRange* range = find_range(language_.variables[form], number);
     if (range == nullptr) return Answer::Missing;
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
@@ -120,7 +122,7 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
         case VariableRange::Kind::Global: out = globals_.values[slot]; break;
         case VariableRange::Kind::Local: out = level_->locals.values[slot]; break;
         case VariableRange::Kind::Constant:
-            out = range->is_vacant ? Value{} : Value::of(range->value, range->type);
+            out = range->is_vacant ? ControlValue{} : ControlValue::of(range->value, range->type);
             return Answer::Value;
         case VariableRange::Kind::Input: {
             std::string text;
@@ -135,21 +137,22 @@ Variables::Answer ControlVariables::family(std::uint32_t form, std::int64_t numb
             const QuantityIndices indices = indices_of(*range, number);
             double value = 0;
             const Answer answer = system(range->quantity, indices.first, indices.second, value);
-            out = Value::of(value, range->type);
+            out = ControlValue::of(value, range->type);
             return answer;
         }
     }
-    if (out.is_vacant() && !language_.rules.has_vacant) out = Value::of(0, range->type);
+    if (out.is_vacant() && !language_.rules.has_vacant) out = ControlValue::of(0, range->type);
     return Answer::Value;
 }
 
-bool ControlVariables::load(const Instruction& from, std::span<const std::int64_t> indices,
-                            Value& out) {
+bool ControlVariables::load(const ControlInstruction& from, std::span<const std::int64_t> indices,
+                            ControlValue& out) {
     switch (from.kind) {
-        case Instruction::Kind::Global: out = globals_.values[from.index]; return true;
-        case Instruction::Kind::Local: out = level_->locals.values[from.index]; return true;
-        case Instruction::Kind::Family: return family(from.index, indices[0], out) == Answer::Value;
-        case Instruction::Kind::Element: {
+        case ControlInstruction::Kind::Global: out = globals_.values[from.index]; return true;
+        case ControlInstruction::Kind::Local: out = level_->locals.values[from.index]; return true;
+        case ControlInstruction::Kind::Family:
+            return family(from.index, indices[0], out) == Answer::Value;
+        case ControlInstruction::Kind::Element: {
             const auto slot = Evaluator::element(level_->symbols.at(from.index), indices);
             if (slot) out = level_->stores[from.index]->values[*slot];
             return slot.has_value();
@@ -162,7 +165,8 @@ std::optional<nc::ValueType> ControlVariables::type_of(std::string_view name) co
     const nc::ControlWords words(tables_, name);
     const std::size_t bracket = std::min(name.find(language_.index_open), name.size());
     const std::string_view front = name.substr(0, bracket);
-    if (const nc::Symbol* symbol = level_->symbols.find(words.normal(front))) return symbol->type;
+    if (const nc::ControlSymbol* symbol = level_->symbols.find(words.normal(front)))
+        return symbol->type;
     for (const nc::VariableForm& form : language_.variables) {
         if (words.is_same(front, form.name)) {
             const bool is_whole = form.is_family || !form.indices.empty() || bracket == name.size();
@@ -189,20 +193,23 @@ std::string ControlVariables::word_of(nc::Operation operation) const {
     return names_.of_operation(operation);
 }
 
-bool ControlVariables::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
-    return store_element(symbol, symbol.slot + element, Value::real(value), {}).row == nullptr;
+bool ControlVariables::set_element(const nc::ControlSymbol& symbol, std::uint32_t element,
+                                   double value) {
+    return store_element(symbol, symbol.slot + element, ControlValue::real(value), {}).row ==
+           nullptr;
 }
 
-const nc::Symbol* declared_at(const Level& level, std::uint32_t slot) {
-    const std::span<const nc::Symbol> all = level.symbols.all();
-    const auto found = std::ranges::find_if(
-        all, [&](const nc::Symbol& symbol) { return symbol.is_plain() && symbol.slot == slot; });
+const nc::ControlSymbol* declared_at(const Level& level, std::uint32_t slot) {
+    const std::span<const nc::ControlSymbol> all = level.symbols.all();
+    const auto found = std::ranges::find_if(all, [&](const nc::ControlSymbol& symbol) {
+        return symbol.is_plain() && symbol.slot == slot;
+    });
     return found == all.end() ? nullptr : &*found;
 }
 
 ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
-                                           const nc::Symbol* symbol) const {
-    const Value& value = store.values[slot];
+                                           const nc::ControlSymbol* symbol) const {
+    const ControlValue& value = store.values[slot];
     const auto kind =
         &store == &globals_ ? VariableRange::Kind::Global : VariableRange::Kind::Local;
     std::string name =
@@ -213,7 +220,7 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
     const bool begins_with_zero =
         symbol != nullptr && value.is_vacant() && !language_.rules.has_vacant &&
         symbol->type != nc::ValueType::Frame && symbol->type != nc::ValueType::Axis;
-    if (begins_with_zero) return shown(std::move(name), Value::of(0, symbol->type), {});
+    if (begins_with_zero) return shown(std::move(name), ControlValue::of(0, symbol->type), {});
     if (value.is_frame())
         return shown(std::move(name), value, names_.written(store.frames[value.text]));
     if (const auto axis = value.axis())
@@ -231,7 +238,7 @@ void ControlVariables::list_family(const nc::VariableForm& form,
         const Store& store = is_global ? globals_ : level_->locals;
         for (std::int64_t number = range.first; number <= range.last; ++number) {
             const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
-            const Value& value = store.values[slot];
+            const ControlValue& value = store.values[slot];
             const bool is_untouched = range.has_initial && value.number == range.value;
             if (value.is_vacant() || is_untouched) continue;
             out.push_back(shown(names_.in_family(form, number), value, {}));
@@ -245,7 +252,7 @@ std::vector<ControlVariable> ControlVariables::list() const {
         list_family(language_.variables[i], out);
         machine_values_.list(i, out);
     }
-    for (const nc::Symbol& symbol : level_->symbols.all()) {
+    for (const nc::ControlSymbol& symbol : level_->symbols.all()) {
         const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
         for (std::uint32_t i = 0; i < symbol.count(); ++i) {
             ControlVariable variable = shown_in(store, symbol.slot + i, &symbol);

@@ -22,7 +22,7 @@ namespace kadr::macro {
 
 /// The variable of the level that was declared at this index among its single values; null: it is
 /// one of the language.
-const nc::Symbol* declared_at(const Level& level, std::uint32_t slot);
+const nc::ControlSymbol* declared_at(const Level& level, std::uint32_t slot);
 
 class ControlVariables final : public Variables {
   public:
@@ -38,9 +38,9 @@ class ControlVariables final : public Variables {
     SystemVariables& system_variables() { return system_variables_; }
     MachineValues& machine_values() { return machine_values_; }
 
-    Answer family(std::uint32_t form, std::int64_t number, Value& out) override;
+    Answer family(std::uint32_t form, std::int64_t number, ControlValue& out) override;
     std::string named(std::uint32_t form, std::int64_t number) const override;
-    Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
+    Answer input(std::uint32_t form, std::span<const std::int64_t> indices, ControlValue& out,
                  std::string& text) override;
     Answer system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                   double& out) override;
@@ -68,7 +68,7 @@ class ControlVariables final : public Variables {
         return system_variables_.has_spindle(number);
     }
     std::string word_of(nc::Operation operation) const override;
-    bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) override;
+    bool set_element(const nc::ControlSymbol& symbol, std::uint32_t element, double value) override;
 
     const Store& globals() const { return globals_; }
     Level& level() { return *level_; }
@@ -81,7 +81,7 @@ class ControlVariables final : public Variables {
     std::unique_ptr<Level> new_level();
     /// What follows reads and writes the variables of this level.
     void enter(Level& level) { level_ = &level; }
-    const nc::Symbol& declare(nc::Symbol symbol);
+    const nc::ControlSymbol& declare(nc::ControlSymbol symbol);
     /// What a variable that all programs have may hold.
     void limit(const std::string& name, const Limits& limits) { limits_[name] = limits; }
     /// The location of a variable, for a parameter that stands for it.
@@ -89,28 +89,31 @@ class ControlVariables final : public Variables {
         Store* store = nullptr;  // null: it holds nothing that a program could write
         std::uint32_t slot = 0;
         nc::ValueType type = nc::ValueType::Real;
-        const nc::Symbol* symbol = nullptr;  // if it was declared
+        const nc::ControlSymbol* symbol = nullptr;  // if it was declared
     };
-    VariableRef variable_of(const nc::Instruction& load, std::span<const std::int64_t> indices);
+    VariableRef variable_of(const nc::ControlInstruction& load,
+                            std::span<const std::int64_t> indices);
     /// Sets an element from there on, of a variable that takes numbers.
     void set_number(const VariableRef& variable, std::uint32_t element, double number);
     /// The parameter of `level` stands for a variable elsewhere; `symbol.slot` counts there.
-    static void bind(Level& level, nc::Symbol symbol, Store& store);
+    static void bind(Level& level, nc::ControlSymbol symbol, Store& store);
 
     /// What the number of a family stands for; None: a variable that holds something.
     nc::SystemQuantity quantity_of(std::uint32_t form, std::int64_t number) const;
     /// Whether writing it has to wait for the blocks before.
-    bool must_wait(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
-    VariableFault store(const nc::Instruction& target, std::span<const std::int64_t> indices,
-                        const Value& value, const Content& content);
-    VariableFault store_element(const nc::Symbol& symbol, std::uint32_t slot, const Value& value,
-                                const Content& content);
+    bool must_wait(const nc::ControlInstruction& target,
+                   std::span<const std::int64_t> indices) const;
+    VariableFault store(const nc::ControlInstruction& target, std::span<const std::int64_t> indices,
+                        const ControlValue& value, const Content& content);
+    VariableFault store_element(const nc::ControlSymbol& symbol, std::uint32_t slot,
+                                const ControlValue& value, const Content& content);
     /// An argument by its letter: a variable of the language at this slot of `level`.
-    void set_argument(Level& level, std::uint32_t slot, const Value& value);
+    void set_argument(Level& level, std::uint32_t slot, const ControlValue& value);
     /// The variable of the whole run that this name means; false: there is none.
     bool set_global(std::string_view name, double value);
     /// The counter of a loop; false: it cannot be read.
-    bool load(const nc::Instruction& from, std::span<const std::int64_t> indices, Value& out);
+    bool load(const nc::ControlInstruction& from, std::span<const std::int64_t> indices,
+              ControlValue& out);
 
     std::vector<ControlVariable> list() const;
     /// Every variable that is set from now on is noted here; null: nobody wants to know.
@@ -125,30 +128,33 @@ class ControlVariables final : public Variables {
         return shown_in(*variable.store, variable.slot, variable.symbol);
     }
     /// Whether it is no variable that holds something, but the control's own state.
-    bool is_state(const nc::Instruction& target, std::span<const std::int64_t> indices) const;
+    bool is_state(const nc::ControlInstruction& target,
+                  std::span<const std::int64_t> indices) const;
     /// Variables of the language that show the data of an offset by number: those of the work
     /// offset, or those of the tool offset; each variable once.
     std::vector<ControlVariable> shown_data(bool is_of_tool, std::int64_t number);
-    ControlVariable shown_state(const nc::Instruction& target,
+    ControlVariable shown_state(const nc::ControlInstruction& target,
                                 std::span<const std::int64_t> indices, std::string name);
 
   private:
-    VariableFault check_limits(const nc::Symbol& symbol, const Value& value) const;
-    VariableFault store_family(std::uint32_t form, std::int64_t number, const Value& value);
-    VariableFault store_part(const nc::Instruction& target, std::span<const std::int64_t> indices,
-                             const Value& value);
+    VariableFault check_limits(const nc::ControlSymbol& symbol, const ControlValue& value) const;
+    VariableFault store_family(std::uint32_t form, std::int64_t number, const ControlValue& value);
+    VariableFault store_part(const nc::ControlInstruction& target,
+                             std::span<const std::int64_t> indices, const ControlValue& value);
     /// Sets a variable of a store by `set`, and notes it if somebody wants to know. `symbol`: that
     /// it is a part of; null: a variable of the language.
     template <typename Set>
-    void change(Store& store, std::size_t slot, const nc::Symbol* symbol, Set set);
-    ControlVariable shown_in(const Store& store, std::size_t slot, const nc::Symbol* symbol) const;
+    void change(Store& store, std::size_t slot, const nc::ControlSymbol* symbol, Set set);
+    ControlVariable shown_in(const Store& store, std::size_t slot,
+                             const nc::ControlSymbol* symbol) const;
     // input_variables.cpp
     Answer read_bits(std::uint32_t form, const nc::VariableRange& range, std::int64_t number,
-                     Value& out);
+                     ControlValue& out);
     VariableFault store_bits(std::uint32_t form, const nc::VariableRange& range,
-                             std::int64_t number, const Value& value);
+                             std::int64_t number, const ControlValue& value);
     VariableFault store_input(std::uint32_t form, const nc::VariableRange& range,
-                              const std::string& name, const Value& value, std::string_view text);
+                              const std::string& name, const ControlValue& value,
+                              std::string_view text);
     void list_family(const nc::VariableForm& form, std::vector<ControlVariable>& out) const;
 
     const nc::DialectTables& tables_;

@@ -12,7 +12,7 @@
 
 namespace kadr::macro {
 
-using nc::Instruction;
+using nc::ControlInstruction;
 using nc::Operation;
 
 namespace {
@@ -52,7 +52,7 @@ bool whole(double value, std::int32_t& out) {
 }  // namespace
 
 Evaluator::Outcome Evaluator::run(const nc::ControlLine& line, const nc::Expression& expression,
-                                  Value& out, int decimals) {
+                                  ControlValue& out, int decimals) {
     const Outcome outcome = execute(line, expression, decimals);
     if (outcome == Outcome::Done) out = stack_[0];
     return outcome;
@@ -65,11 +65,11 @@ Evaluator::Outcome Evaluator::execute(const nc::ControlLine& line, const nc::Exp
     if (stack_.size() < expression.count + 1) stack_.resize(expression.count + 8);
     const std::size_t end = expression.first + expression.count;
     for (std::size_t at = expression.first; at < end; ++at) {
-        const Instruction& instruction = line.code[at];
+        const ControlInstruction& instruction = line.code[at];
         Done is_fine = kDone;
-        if (instruction.kind == Instruction::Kind::Number) {
-            push(Value::of(instruction.number, instruction.type));
-        } else if (instruction.kind == Instruction::Kind::Operate) {
+        if (instruction.kind == ControlInstruction::Kind::Number) {
+            push(ControlValue::of(instruction.number, instruction.type));
+        } else if (instruction.kind == ControlInstruction::Kind::Operate) {
             const bool is_sign = expression.keeps_vacant && at + 1 == end;
             if (is_sign && stack_[size_ - 1].is_vacant()) continue;
             place_ = line.spans[at];
@@ -88,7 +88,7 @@ Evaluator::Outcome Evaluator::indices(const nc::ControlLine& line, const nc::Ref
     const Outcome outcome = execute(line, reference.indices, -1);
     if (outcome != Outcome::Done) return outcome;
     for (std::size_t i = 0; i < size_ && i < out.size(); ++i) {
-        if (!stack_[i].is_number() && stack_[i].kind != Value::Kind::Axis) {
+        if (!stack_[i].is_number() && stack_[i].kind != ControlValue::Kind::Axis) {
             note_fault(diag::IndexType, {std::string(kind_name(stack_[i]))});
             return Outcome::Fault;
         }
@@ -107,26 +107,28 @@ Done Evaluator::fail(const DiagnosticRow& row, std::vector<std::string> argument
 }
 
 Done Evaluator::load(const nc::ControlLine& line, std::size_t at) {
-    const Instruction& instruction = line.code[at];
+    const ControlInstruction& instruction = line.code[at];
     const auto from = [&](const Store& store) {
-        Value value = store.values[instruction.index];
-        if (value.is_vacant() && !rules_.has_vacant) value = Value::of(0, instruction.type);
+        ControlValue value = store.values[instruction.index];
+        if (value.is_vacant() && !rules_.has_vacant) value = ControlValue::of(0, instruction.type);
         push(keep(value, store.content(value)));
         return kDone;
     };
     switch (instruction.kind) {
-        case Instruction::Kind::Global: return from(globals_);
-        case Instruction::Kind::Local: return from(level_->locals);
-        case Instruction::Kind::Text: push(keep_text(line.texts[instruction.index])); return kDone;
-        case Instruction::Kind::Vacant: push({}); return kDone;
-        case Instruction::Kind::Family: return load_family(instruction);
-        case Instruction::Kind::System: return load_system(instruction);
-        case Instruction::Kind::Input: return load_input(instruction);
-        case Instruction::Kind::Element: return load_element(instruction);
-        case Instruction::Kind::SystemPart:
-        case Instruction::Kind::ElementPart: return load_frame_part(instruction);
-        case Instruction::Kind::Number:
-        case Instruction::Kind::Operate: break;
+        case ControlInstruction::Kind::Global: return from(globals_);
+        case ControlInstruction::Kind::Local: return from(level_->locals);
+        case ControlInstruction::Kind::Text:
+            push(keep_text(line.texts[instruction.index]));
+            return kDone;
+        case ControlInstruction::Kind::Vacant: push({}); return kDone;
+        case ControlInstruction::Kind::Family: return load_family(instruction);
+        case ControlInstruction::Kind::System: return load_system(instruction);
+        case ControlInstruction::Kind::Input: return load_input(instruction);
+        case ControlInstruction::Kind::Element: return load_element(instruction);
+        case ControlInstruction::Kind::SystemPart:
+        case ControlInstruction::Kind::ElementPart: return load_frame_part(instruction);
+        case ControlInstruction::Kind::Number:
+        case ControlInstruction::Kind::Operate: break;
     }
     return kFailed;
 }
@@ -147,12 +149,12 @@ Done Evaluator::answer(Variables::Answer answer) {
     return kFailed;
 }
 
-Done Evaluator::load_family(const Instruction& instruction) {
+Done Evaluator::load_family(const ControlInstruction& instruction) {
     const double number = stack_[size_ - 1].number;
     if (!stack_[size_ - 1].is_number())
         return fail(diag::TypesDiffer, {"an index", std::string(kind_name(stack_[size_ - 1]))});
     if (!(std::fabs(number) < 1e9)) return fail(diag::VariableNumber, {format_shortest(number)});
-    Value value;
+    ControlValue value;
     const auto answered =
         variables_.family(instruction.index, static_cast<std::int64_t>(std::round(number)), value);
     const auto named = [&] {
@@ -165,16 +167,16 @@ Done Evaluator::load_family(const Instruction& instruction) {
     return answer(answered);
 }
 
-Done Evaluator::load_input(const Instruction& instruction) {
+Done Evaluator::load_input(const ControlInstruction& instruction) {
     size_ -= instruction.count;
     std::array<std::int64_t, 4> indices{};
     for (std::size_t i = 0; i < instruction.count; ++i) {
-        const Value& index = stack_[size_ + i];
-        if (!index.is_number() && index.kind != Value::Kind::Axis)
+        const ControlValue& index = stack_[size_ + i];
+        if (!index.is_number() && index.kind != ControlValue::Kind::Axis)
             return fail(diag::IndexType, {std::string(kind_name(index))});
         indices[i] = index_of(index.number);
     }
-    Value value;
+    ControlValue value;
     std::string text;
     const auto answered = variables_.input(
         instruction.index, std::span(indices).first(instruction.count), value, text);
@@ -182,11 +184,11 @@ Done Evaluator::load_input(const Instruction& instruction) {
     return answer(answered);
 }
 
-Done Evaluator::load_system(const Instruction& instruction) {
+Done Evaluator::load_system(const ControlInstruction& instruction) {
     size_ -= instruction.count;
     const auto index = [&](std::size_t i) {
         if (i >= instruction.count) return std::int64_t{0};
-        const Value& value = stack_[size_ + i];
+        const ControlValue& value = stack_[size_ + i];
         return value.spindle().value_or(index_of(value.number));
     };
     const auto quantity = static_cast<nc::SystemQuantity>(instruction.index);
@@ -204,31 +206,32 @@ Done Evaluator::load_system(const Instruction& instruction) {
     }
     double number = 0;
     const auto answered = variables_.system(quantity, index(0), index(1), number);
-    push(Value::of(number, instruction.type));
+    push(ControlValue::of(number, instruction.type));
     return answer(answered);
 }
 
 /// The frame, then its component: the axis is the last index.
-Done Evaluator::load_frame_part(const Instruction& instruction) {
-    const Value axis = stack_[--size_];
-    Instruction whole = instruction;
-    whole.kind = instruction.kind == Instruction::Kind::SystemPart ? Instruction::Kind::System
-                                                                   : Instruction::Kind::Element;
+Done Evaluator::load_frame_part(const ControlInstruction& instruction) {
+    const ControlValue axis = stack_[--size_];
+    ControlInstruction whole = instruction;
+    whole.kind = instruction.kind == ControlInstruction::Kind::SystemPart
+                     ? ControlInstruction::Kind::System
+                     : ControlInstruction::Kind::Element;
     whole.type = nc::ValueType::Frame;
     --whole.count;
     const Done is_fine =
-        whole.kind == Instruction::Kind::System ? load_system(whole) : load_element(whole);
+        whole.kind == ControlInstruction::Kind::System ? load_system(whole) : load_element(whole);
     if (!is_fine) return kFailed;
     const control::ControlFrame& from = *frame(stack_[--size_]);
     const nc::FramePart part = instruction.part();
     const auto value = part_of(from, part, *axis.axis());
     if (!value) return fail(diag::IsoNotSupported, {"a component of a frame that shears"});
     const bool is_distance = part == nc::FramePart::Shift || part == nc::FramePart::Fine;
-    push(Value::real(is_distance ? *value / variables_.axis_unit(*axis.axis()) : *value));
+    push(ControlValue::real(is_distance ? *value / variables_.axis_unit(*axis.axis()) : *value));
     return kDone;
 }
 
-std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
+std::optional<std::uint32_t> Evaluator::element(const nc::ControlSymbol& symbol,
                                                 std::span<const std::int64_t> indices) {
     std::uint32_t index = 0;
     for (std::size_t i = 0; i < symbol.dimensions; ++i) {
@@ -238,7 +241,7 @@ std::optional<std::uint32_t> Evaluator::element(const nc::Symbol& symbol,
     return symbol.slot + index;
 }
 
-std::string Evaluator::wrong_index(const nc::Symbol& symbol,
+std::string Evaluator::wrong_index(const nc::ControlSymbol& symbol,
                                    std::span<const std::int64_t> indices) {
     std::size_t index = 0;
     while (index + 1 < symbol.dimensions && indices[index] >= 0 &&
@@ -248,8 +251,8 @@ std::string Evaluator::wrong_index(const nc::Symbol& symbol,
     return index == 0 ? name : name + " in place " + std::to_string(index + 1);
 }
 
-Done Evaluator::load_element(const Instruction& instruction) {
-    const nc::Symbol& symbol = level_->symbols.at(instruction.index);
+Done Evaluator::load_element(const ControlInstruction& instruction) {
+    const nc::ControlSymbol& symbol = level_->symbols.at(instruction.index);
     std::array<std::int64_t, 4> indices{};
     size_ -= instruction.count;
     for (std::size_t i = 0; i < instruction.count; ++i) {
@@ -260,13 +263,13 @@ Done Evaluator::load_element(const Instruction& instruction) {
     const auto slot = element(symbol, indices);
     if (!slot) return fail(diag::IndexWrong, {wrong_index(symbol, indices)});
     const Store& store = *level_->stores[instruction.index];
-    Value value = store.values[*slot];
+    ControlValue value = store.values[*slot];
     if (symbol.type == nc::ValueType::Frame) {
         push(keep_frame(value.is_frame() ? store.frames[value.text] : control::ControlFrame()));
         return kDone;
     }
     if (symbol.type != nc::ValueType::Text) {
-        push(value.is_vacant() ? Value::of(0, symbol.type) : value);
+        push(value.is_vacant() ? ControlValue::of(0, symbol.type) : value);
         return kDone;
     }
     const std::string text = value.is_text() ? store.texts[value.text] : std::string();
@@ -280,22 +283,22 @@ Done Evaluator::load_element(const Instruction& instruction) {
     const auto i = static_cast<std::size_t>(index);
     const std::string_view character = code_points(text, i, 1);
     const char32_t code = character.empty() ? 0 : first_code_point(character);
-    push(Value::of(code, nc::ValueType::Char));
+    push(ControlValue::of(code, nc::ValueType::Char));
     return kDone;
 }
 
-Done Evaluator::real(Value& out, double number) {
+Done Evaluator::real(ControlValue& out, double number) {
     if (!std::isfinite(number)) return fail(diag::NumberTooLarge);
-    out = Value::real(number);
+    out = ControlValue::real(number);
     return kDone;
 }
 
-Done Evaluator::operate(const Instruction& instruction, int decimals) {
+Done Evaluator::operate(const ControlInstruction& instruction, int decimals) {
     const Operation operation = instruction.operation;
     operation_ = operation;
     size_ -= instruction.count;
-    Value* const a = &stack_[size_];
-    const Value& b = a[1];
+    ControlValue* const a = &stack_[size_];
+    const ControlValue& b = a[1];
     Done is_fine = kFailed;
     switch (operation) {
         case Operation::Add:
@@ -369,8 +372,8 @@ Done Evaluator::operate(const Instruction& instruction, int decimals) {
     return is_fine;
 }
 
-Done Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
-    for (const Value& value : {a, b}) {
+Done Evaluator::arithmetic(Operation operation, ControlValue& a, const ControlValue& b) {
+    for (const ControlValue& value : {a, b}) {
         if (!value.is_number())
             return fail(diag::TypesDiffer, {"a calculation", std::string(kind_name(value))});
     }
@@ -392,37 +395,37 @@ Done Evaluator::arithmetic(Operation operation, Value& a, const Value& b) {
     if (!is_whole) {
         const bool is_cut = operation == Operation::Quotient && rules_.has_types;
         if (is_cut && std::fabs(result) <= 2147483647.0) {
-            a = Value::of(result, nc::ValueType::Int);
+            a = ControlValue::of(result, nc::ValueType::Int);
             return kDone;
         }
         return real(a, result);
     }
     if (std::fabs(result) > 2147483648.0) return fail(diag::NumberTooLarge);
-    a = Value::of(result, nc::ValueType::Int);
+    a = ControlValue::of(result, nc::ValueType::Int);
     return kDone;
 }
 
 /// A character beside a text of one character, `TXT[0]=="A"`: that is a constant of its kind.
 /// S 1.4.
-void Evaluator::make_character(Value& value, const Value& other) const {
-    if (!value.is_text() || other.kind != Value::Kind::Char) return;
+void Evaluator::make_character(ControlValue& value, const ControlValue& other) const {
+    if (!value.is_text() || other.kind != ControlValue::Kind::Char) return;
     const std::string_view words = text(value);
     if (count_code_points(words) != 1) return;
-    value = Value::of(static_cast<double>(first_code_point(words)), nc::ValueType::Char);
+    value = ControlValue::of(static_cast<double>(first_code_point(words)), nc::ValueType::Char);
 }
 
-std::optional<bool> Evaluator::is_same(Value a, const Value& b) {
+std::optional<bool> Evaluator::is_same(ControlValue a, const ControlValue& b) {
     if (!compare(Operation::Equal, a, b)) return std::nullopt;
     return a.number != 0;
 }
 
-Done Evaluator::compare(Operation operation, Value& a, Value b) {
+Done Evaluator::compare(Operation operation, ControlValue& a, ControlValue b) {
     make_character(a, b);
     make_character(b, a);
     const bool is_alike = a.is_number() ? b.is_number() : a.kind == b.kind;
     if (!is_alike || a.is_frame()) {
-        const Value& first = a.is_number() ? b : a;
-        const Value& other = a.is_number() ? a : b;
+        const ControlValue& first = a.is_number() ? b : a;
+        const ControlValue& other = a.is_number() ? a : b;
         return fail(diag::TypesDiffer, {"a comparison with " + std::string(kind_name(first)),
                                         std::string(kind_name(other))});
     }
@@ -438,17 +441,17 @@ Done Evaluator::compare(Operation operation, Value& a, Value b) {
     }
     const bool is_told_apart = a.is_vacant() != b.is_vacant();
     switch (operation) {
-        case Operation::Equal: a = Value::truth(is_equal && !is_told_apart); break;
-        case Operation::NotEqual: a = Value::truth(!is_equal || is_told_apart); break;
-        case Operation::Greater: a = Value::truth(!is_equal && !is_less); break;
-        case Operation::GreaterEqual: a = Value::truth(!is_less); break;
-        case Operation::Less: a = Value::truth(is_less); break;
-        default: a = Value::truth(is_less || is_equal);
+        case Operation::Equal: a = ControlValue::truth(is_equal && !is_told_apart); break;
+        case Operation::NotEqual: a = ControlValue::truth(!is_equal || is_told_apart); break;
+        case Operation::Greater: a = ControlValue::truth(!is_equal && !is_less); break;
+        case Operation::GreaterEqual: a = ControlValue::truth(!is_less); break;
+        case Operation::Less: a = ControlValue::truth(is_less); break;
+        default: a = ControlValue::truth(is_less || is_equal);
     }
     return kDone;
 }
 
-Done Evaluator::bits(Operation operation, Value& a, const Value& b) {
+Done Evaluator::bits(Operation operation, ControlValue& a, const ControlValue& b) {
     const bool is_single = operation == Operation::Not || operation == Operation::BitNot;
     if (!a.is_number() || (!is_single && !b.is_number())) {
         return fail(diag::TypesDiffer,
@@ -457,10 +460,10 @@ Done Evaluator::bits(Operation operation, Value& a, const Value& b) {
     const bool p = a.number != 0;
     const bool q = !is_single && b.number != 0;
     switch (operation) {
-        case Operation::And: a = Value::truth(p && q); return kDone;
-        case Operation::Or: a = Value::truth(p || q); return kDone;
-        case Operation::Xor: a = Value::truth(p != q); return kDone;
-        case Operation::Not: a = Value::truth(!p); return kDone;
+        case Operation::And: a = ControlValue::truth(p && q); return kDone;
+        case Operation::Or: a = ControlValue::truth(p || q); return kDone;
+        case Operation::Xor: a = ControlValue::truth(p != q); return kDone;
+        case Operation::Not: a = ControlValue::truth(!p); return kDone;
         default: break;
     }
     std::int32_t x = 0;
@@ -471,11 +474,11 @@ Done Evaluator::bits(Operation operation, Value& a, const Value& b) {
                                 : operation == Operation::BitOr  ? x | y
                                 : operation == Operation::BitXor ? x ^ y
                                                                  : ~x;
-    a = Value::of(result, nc::ValueType::Int);
+    a = ControlValue::of(result, nc::ValueType::Int);
     return kDone;
 }
 
-Done Evaluator::function(Operation operation, Value* a, int decimals) {
+Done Evaluator::function(Operation operation, ControlValue* a, int decimals) {
     if (!a->is_number())
         return fail(diag::TypesDiffer, {"a function of numbers", std::string(kind_name(*a))});
     const double x = a->number;
@@ -485,12 +488,12 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
     };
     const auto whole_result = [&](double number) {
         if (!rules_.has_types || std::fabs(number) > 2147483647.0) return real(*a, number);
-        *a = Value::of(number, nc::ValueType::Int);
+        *a = ControlValue::of(number, nc::ValueType::Int);
         return kDone;
     };
     switch (operation) {
         case Operation::Negate:
-            *a = was_whole ? Value::of(-x, nc::ValueType::Int) : Value::real(-x);
+            *a = was_whole ? ControlValue::of(-x, nc::ValueType::Int) : ControlValue::real(-x);
             return kDone;
         case Operation::Sine: look_for_radians(operation, x); return real(*a, sine(x));
         case Operation::Cosine: look_for_radians(operation, x); return real(*a, cosine(x));
@@ -506,8 +509,8 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
         case Operation::LengthOfTwo: return real(*a, std::hypot(x, a[1].number));
         case Operation::Square: return real(*a, x * x);
         case Operation::Absolute:
-            *a =
-                was_whole ? Value::of(std::fabs(x), nc::ValueType::Int) : Value::real(std::fabs(x));
+            *a = was_whole ? ControlValue::of(std::fabs(x), nc::ValueType::Int)
+                           : ControlValue::real(std::fabs(x));
             return kDone;
         case Operation::Round: {
             if (decimals < 0) return whole_result(std::round(x));
@@ -553,7 +556,7 @@ Done Evaluator::function(Operation operation, Value* a, int decimals) {
     }
 }
 
-Done Evaluator::arc_function(Operation operation, Value* a) {
+Done Evaluator::arc_function(Operation operation, ControlValue* a) {
     const double x = a->number;
     const bool is_outside = operation != Operation::Arctangent &&
                             operation != Operation::ArctangentOfTwo && std::fabs(x) > 1;

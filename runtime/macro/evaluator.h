@@ -32,13 +32,13 @@ class Variables {
         Later
     };
     /// A variable of a family by its number.
-    virtual Answer family(std::uint32_t form, std::int64_t number, Value& out) = 0;
+    virtual Answer family(std::uint32_t form, std::int64_t number, ControlValue& out) = 0;
     /// How a program writes such a variable, and what it is: "`#1004` (inputs)".
     virtual std::string named(std::uint32_t form, std::int64_t number) const = 0;
     /// A value of the machine: of an open form by the number of its name and its indices. A text
     /// goes to `text`.
-    virtual Answer input(std::uint32_t form, std::span<const std::int64_t> indices, Value& out,
-                         std::string& text) = 0;
+    virtual Answer input(std::uint32_t form, std::span<const std::int64_t> indices,
+                         ControlValue& out, std::string& text) = 0;
     /// `Later`: the blocks before have to be executed first.
     virtual Answer system(nc::SystemQuantity quantity, std::int64_t first, std::int64_t second,
                           double& out) = 0;
@@ -65,7 +65,8 @@ class Variables {
     /// Whether a program has it; texts may be read for that.
     virtual bool find_program(std::string_view name) = 0;
     /// Sets one element of a variable that the program has declared; false: its type takes no real.
-    virtual bool set_element(const nc::Symbol& symbol, std::uint32_t element, double value) = 0;
+    virtual bool set_element(const nc::ControlSymbol& symbol, std::uint32_t element,
+                             double value) = 0;
 };
 
 class Evaluator {
@@ -79,7 +80,7 @@ class Evaluator {
     enum class Outcome : std::uint8_t { Done, Fault, Later };
 
     /// decimals  to which the function round goes; -1: to whole numbers
-    Outcome run(const nc::ControlLine& line, const nc::Expression& expression, Value& out,
+    Outcome run(const nc::ControlLine& line, const nc::Expression& expression, ControlValue& out,
                 int decimals = -1);
     /// Where the latest run has taken radians for degrees, and the word of the function that did.
     struct Radians {
@@ -96,25 +97,25 @@ class Evaluator {
     const nc::Span& place() const { return place_; }
     /// Whether two values are equal, as `==` has it; none: they cannot be compared, `fault` tells
     /// why.
-    std::optional<bool> is_same(Value a, const Value& b);
+    std::optional<bool> is_same(ControlValue a, const ControlValue& b);
     /// A text that a value holds; valid until the next `forget`.
-    std::string_view text(const Value& value) const {
+    std::string_view text(const ControlValue& value) const {
         return value.is_text() ? std::string_view(texts_[value.text]) : std::string_view();
     }
-    Value keep_text(std::string text) {
+    ControlValue keep_text(std::string text) {
         texts_.push_back(std::move(text));
-        return {0, static_cast<std::uint32_t>(texts_.size() - 1), Value::Kind::Text};
+        return {0, static_cast<std::uint32_t>(texts_.size() - 1), ControlValue::Kind::Text};
     }
-    const control::ControlFrame* frame(const Value& value) const {
+    const control::ControlFrame* frame(const ControlValue& value) const {
         return value.is_frame() ? &frames_[value.text] : nullptr;
     }
-    Content content(const Value& value) const { return {text(value), frame(value)}; }
-    Value keep_frame(const control::ControlFrame& frame) {
+    Content content(const ControlValue& value) const { return {text(value), frame(value)}; }
+    ControlValue keep_frame(const control::ControlFrame& frame) {
         frames_.push_back(frame);
-        return {0, static_cast<std::uint32_t>(frames_.size() - 1), Value::Kind::Frame};
+        return {0, static_cast<std::uint32_t>(frames_.size() - 1), ControlValue::Kind::Frame};
     }
     /// A value that stands elsewhere, for what is worked out next.
-    Value keep(const Value& value, const Content& content) {
+    ControlValue keep(const ControlValue& value, const Content& content) {
         if (value.is_text()) return keep_text(std::string(content.text));
         return value.is_frame() ? keep_frame(*content.frame) : value;
     }
@@ -129,62 +130,63 @@ class Evaluator {
                     std::span<std::int64_t> out);
 
     /// As `<<` writes it.
-    std::string written(const Value& value) const;
+    std::string written(const ControlValue& value) const;
     /// The slot of an element of a declared variable; nothing: an index does not fit.
-    static std::optional<std::uint32_t> element(const nc::Symbol& symbol,
+    static std::optional<std::uint32_t> element(const nc::ControlSymbol& symbol,
                                                 std::span<const std::int64_t> indices);
     /// Which index does not fit, for a message: "`MAT`", and of a further one "`MAT` in place 2".
-    static std::string wrong_index(const nc::Symbol& symbol, std::span<const std::int64_t> indices);
+    static std::string wrong_index(const nc::ControlSymbol& symbol,
+                                   std::span<const std::int64_t> indices);
     /// A row of a table of contours that the program has.
-    ContourRow contour_row(const nc::Symbol& table, std::int64_t row) const;
+    ContourRow contour_row(const nc::ControlSymbol& table, std::int64_t row) const;
 
   private:
     Outcome execute(const nc::ControlLine& line, const nc::Expression& expression, int decimals);
     Done load(const nc::ControlLine& line, std::size_t at);
-    Done load_family(const nc::Instruction& instruction);
-    Done load_system(const nc::Instruction& instruction);
-    Done load_input(const nc::Instruction& instruction);
-    Done load_element(const nc::Instruction& instruction);
-    Done load_frame_part(const nc::Instruction& instruction);
+    Done load_family(const nc::ControlInstruction& instruction);
+    Done load_system(const nc::ControlInstruction& instruction);
+    Done load_input(const nc::ControlInstruction& instruction);
+    Done load_element(const nc::ControlInstruction& instruction);
+    Done load_frame_part(const nc::ControlInstruction& instruction);
     Done answer(Variables::Answer answer);
-    Done operate(const nc::Instruction& instruction, int decimals);
-    Done arithmetic(nc::Operation operation, Value& a, const Value& b);
-    void make_character(Value& value, const Value& other) const;
-    Done compare(nc::Operation operation, Value& a, Value b);
-    Done bits(nc::Operation operation, Value& a, const Value& b);
-    Done function(nc::Operation operation, Value* a, int decimals);
-    Done text_function(nc::Operation operation, Value* a, int count);
+    Done operate(const nc::ControlInstruction& instruction, int decimals);
+    Done arithmetic(nc::Operation operation, ControlValue& a, const ControlValue& b);
+    void make_character(ControlValue& value, const ControlValue& other) const;
+    Done compare(nc::Operation operation, ControlValue& a, ControlValue b);
+    Done bits(nc::Operation operation, ControlValue& a, const ControlValue& b);
+    Done function(nc::Operation operation, ControlValue* a, int decimals);
+    Done text_function(nc::Operation operation, ControlValue* a, int count);
     void look_for_radians(nc::Operation operation, double angle);
-    Done arc_function(nc::Operation operation, Value* a);
-    Done axis_function(nc::Operation operation, Value* a);
-    Done plane_rotation(Value* a);
-    Done question(nc::Operation operation, Value* a);
-    Done format_text(Value* a, int count);
-    const nc::Symbol* variable_itself(const Value& place, std::uint32_t least,
-                                      const std::string& what);
-    double element_of(const nc::Symbol& symbol, std::uint32_t element) const;
-    Done set_element(const nc::Symbol& symbol, std::uint32_t element, double value);
-    Done circle_through(Value* a);
-    Done measured_frame(Value* a);
-    Done common_point(Value* a);
+    Done arc_function(nc::Operation operation, ControlValue* a);
+    Done axis_function(nc::Operation operation, ControlValue* a);
+    Done plane_rotation(ControlValue* a);
+    Done question(nc::Operation operation, ControlValue* a);
+    Done format_text(ControlValue* a, int count);
+    const nc::ControlSymbol* variable_itself(const ControlValue& place, std::uint32_t least,
+                                             const std::string& what);
+    double element_of(const nc::ControlSymbol& symbol, std::uint32_t element) const;
+    Done set_element(const nc::ControlSymbol& symbol, std::uint32_t element, double value);
+    Done circle_through(ControlValue* a);
+    Done measured_frame(ControlValue* a);
+    Done common_point(ControlValue* a);
     // Cutting edges by their numbers.
     Done ask(nc::SystemQuantity quantity, double first, double second, double& out);
-    Done edge_question(nc::Operation operation, Value* a, int count);
-    Done tool_of_edge(Value* a);
-    Done edges_unique(Value* a, int count);
-    Done frame_function(nc::Operation operation, Value* a, int count);
-    Done pairs(nc::Operation operation, const Value* a, int count,
+    Done edge_question(nc::Operation operation, ControlValue* a, int count);
+    Done tool_of_edge(ControlValue* a);
+    Done edges_unique(ControlValue* a, int count);
+    Done frame_function(nc::Operation operation, ControlValue* a, int count);
+    Done pairs(nc::Operation operation, const ControlValue* a, int count,
                std::vector<control::AxisAndValue>& out);
     void note_fault(const DiagnosticRow& row, std::vector<std::string> arguments);
     Done fail(const DiagnosticRow& row, std::vector<std::string> arguments = {});
-    Done real(Value& out, double number);
-    void push(const Value& value) { stack_[size_++] = value; }
+    Done real(ControlValue& out, double number);
+    void push(const ControlValue& value) { stack_[size_++] = value; }
 
     const nc::LanguageRules& rules_;
     const Store& globals_;
     const Level* level_;
     Variables& variables_;
-    std::vector<Value> stack_;
+    std::vector<ControlValue> stack_;
     std::size_t size_ = 0;
     std::deque<std::string> texts_;  // views of them stay valid
     std::deque<control::ControlFrame> frames_;

@@ -14,7 +14,7 @@ namespace kadr::macro {
 
 using nc::Operation;
 
-Done Evaluator::axis_function(Operation operation, Value* a) {
+Done Evaluator::axis_function(Operation operation, ControlValue* a) {
     switch (operation) {
         case Operation::ToAxis:
             return a->axis() ? kDone : fail(diag::AxisExpected, {std::string(kind_name(*a))});
@@ -28,7 +28,7 @@ Done Evaluator::axis_function(Operation operation, Value* a) {
             const auto number = variables_.axis_number(*axis);
             if (!number)
                 return fail(diag::AxisNameUnknown, {std::string(kAxisNames[index(*axis)])});
-            *a = Value::of(static_cast<double>(*number), nc::ValueType::Int);
+            *a = ControlValue::of(static_cast<double>(*number), nc::ValueType::Int);
             return kDone;
         }
         case Operation::SpindleAxis: {
@@ -38,17 +38,17 @@ Done Evaluator::axis_function(Operation operation, Value* a) {
                                   number <= machine::kMostSpindles &&
                                   variables_.has_spindle(static_cast<std::int64_t>(number));
             if (!is_there) return fail(diag::SpindleMissing, {format_shortest(number)});
-            *a = Value::spindle_of(number == 0 ? 1 : number);
+            *a = ControlValue::spindle_of(number == 0 ? 1 : number);
             return kDone;
         }
         case Operation::SpindleNumber:
-            if (a->kind != Value::Kind::Axis)
+            if (a->kind != ControlValue::Kind::Axis)
                 return fail(diag::AxisExpected, {std::string(kind_name(*a))});
             if (!a->spindle())
                 return fail(diag::SpindleMissing,
                             {a->axis() ? "of the axis " + std::string(kAxisNames[index(*a->axis())])
                                        : "of no axis"});
-            *a = Value::of(static_cast<double>(*a->spindle()), nc::ValueType::Int);
+            *a = ControlValue::of(static_cast<double>(*a->spindle()), nc::ValueType::Int);
             return kDone;
         case Operation::ModuloValue: {
             const auto axis = a->axis();
@@ -74,18 +74,18 @@ Done Evaluator::axis_function(Operation operation, Value* a) {
             const auto found = std::ranges::find(kAxisNames, upper_ascii(text(*a)));
             if (found == kAxisNames.end())
                 return fail(diag::AxisNameUnknown, {std::string(text(*a))});
-            *a = Value::of(-1.0 - static_cast<double>(found - kAxisNames.begin()),
-                           nc::ValueType::Axis);
+            *a = ControlValue::of(-1.0 - static_cast<double>(found - kAxisNames.begin()),
+                                  nc::ValueType::Axis);
             return kDone;
         }
         default:
-            *a = Value::truth(a->is_number() && a->number >= 1 && a->number <= 3);
+            *a = ControlValue::truth(a->is_number() && a->number >= 1 && a->number <= 3);
             return kDone;
     }
 }
 
 /// Axes and their values in turn; lengths in mm.
-Done Evaluator::pairs(Operation operation, const Value* a, int count,
+Done Evaluator::pairs(Operation operation, const ControlValue* a, int count,
                       std::vector<control::AxisAndValue>& out) {
     const bool is_distance =
         operation == Operation::FrameShift || operation == Operation::FrameFine;
@@ -105,7 +105,7 @@ Done Evaluator::pairs(Operation operation, const Value* a, int count,
     return kDone;
 }
 
-Done Evaluator::frame_function(Operation operation, Value* a, int count) {
+Done Evaluator::frame_function(Operation operation, ControlValue* a, int count) {
     if (operation == Operation::Chain || operation == Operation::FrameInverse) {
         for (int i = 0; i < count; ++i) {
             if (!a[i].is_frame())
@@ -148,7 +148,7 @@ Done Evaluator::frame_function(Operation operation, Value* a, int count) {
 }
 
 /// Its first operand is the axis across the plane, or the number of the plane.
-Done Evaluator::plane_rotation(Value* a) {
+Done Evaluator::plane_rotation(ControlValue* a) {
     std::optional<Axis> across = a[0].axis();
     if (!across) {
         if (!a[0].is_number()) return fail(diag::AxisExpected, {std::string(kind_name(a[0]))});
@@ -158,7 +158,7 @@ Done Evaluator::plane_rotation(Value* a) {
             double axis = 0;
             if (!answer(variables_.system(nc::SystemQuantity::NormalAxis, 0, 0, axis)))
                 return kFailed;
-            across = Value::of(axis, nc::ValueType::Axis).axis();
+            across = ControlValue::of(axis, nc::ValueType::Axis).axis();
         } else if (plane == 1 || plane == 2 || plane == 3) {
             across = kAcross[static_cast<std::size_t>(plane) - 1];
         }

@@ -27,7 +27,7 @@ void Evaluator::look_for_radians(Operation operation, double angle) {
     }
 }
 
-Done Evaluator::question(Operation operation, Value* a) {
+Done Evaluator::question(Operation operation, ControlValue* a) {
     if (!a->is_text())
         return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
     const std::string asked(text(*a));
@@ -46,22 +46,23 @@ Done Evaluator::question(Operation operation, Value* a) {
             }
             return 0;
         };
-        *a = Value::of(type ? number(*type) : 0, nc::ValueType::Int);
+        *a = ControlValue::of(type ? number(*type) : 0, nc::ValueType::Int);
         return kDone;
     }
-    *a = Value::truth(operation == Operation::HasName ? variables_.has_name(asked)
-                                                      : variables_.find_program(asked));
+    *a = ControlValue::truth(operation == Operation::HasName ? variables_.has_name(asked)
+                                                             : variables_.find_program(asked));
     return kDone;
 }
 
-Done Evaluator::format_text(Value* a, int count) {
+Done Evaluator::format_text(ControlValue* a, int count) {
     if (!a->is_text())
         return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(*a))});
     std::vector<FormatValue> values;
     for (int i = 1; i < count; ++i) {
         if (!a[i].is_text() && !a[i].is_number())
             return fail(diag::TypesDiffer, {"a text function", std::string(kind_name(a[i]))});
-        values.push_back({a[i].number, a[i].is_text(), a[i].kind == Value::Kind::Char, text(a[i])});
+        values.push_back(
+            {a[i].number, a[i].is_text(), a[i].kind == ControlValue::Kind::Char, text(a[i])});
     }
     Formatted formatted = macro::format_text(text(*a), values);
     if (!formatted.wrong.empty()) return fail(diag::FormatMismatch, {formatted.wrong});
@@ -73,9 +74,9 @@ Done Evaluator::format_text(Value* a, int count) {
 
 /// The variable of the program that an argument names, with as many elements at least; nullptr: it
 /// has fewer, or none of them is a number.
-const nc::Symbol* Evaluator::variable_itself(const Value& place, std::uint32_t least,
-                                             const std::string& what) {
-    const nc::Symbol& symbol = level_->symbols.at(static_cast<std::uint32_t>(place.number));
+const nc::ControlSymbol* Evaluator::variable_itself(const ControlValue& place, std::uint32_t least,
+                                                    const std::string& what) {
+    const nc::ControlSymbol& symbol = level_->symbols.at(static_cast<std::uint32_t>(place.number));
     const bool is_number = symbol.type == nc::ValueType::Real || symbol.type == nc::ValueType::Int;
     if (is_number && symbol.count() >= least) return &symbol;
     if (is_number) {
@@ -86,24 +87,24 @@ const nc::Symbol* Evaluator::variable_itself(const Value& place, std::uint32_t l
     return nullptr;
 }
 
-double Evaluator::element_of(const nc::Symbol& symbol, std::uint32_t element) const {
+double Evaluator::element_of(const nc::ControlSymbol& symbol, std::uint32_t element) const {
     const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
     return store.values[symbol.slot + element].number;
 }
 
-Done Evaluator::set_element(const nc::Symbol& symbol, std::uint32_t element, double value) {
+Done Evaluator::set_element(const nc::ControlSymbol& symbol, std::uint32_t element, double value) {
     if (variables_.set_element(symbol, element, value)) return kDone;
     return fail(diag::ValueForType, {std::to_string(value), "a whole number"});
 }
 
 /// An array of points, their number, an array that takes the centre and the radius.
-Done Evaluator::circle_through(Value* a) {
+Done Evaluator::circle_through(ControlValue* a) {
     const double count = a[1].number;
     if (!a[1].is_number() || (count != 3 && count != 4))
         return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
     const auto points = static_cast<std::uint32_t>(count);
-    const nc::Symbol* from = variable_itself(a[0], 2 * points, "the points");
-    const nc::Symbol* to =
+    const nc::ControlSymbol* from = variable_itself(a[0], 2 * points, "the points");
+    const nc::ControlSymbol* to =
         from == nullptr ? nullptr : variable_itself(a[2], 3, "a centre and a radius");
     if (to == nullptr) return kFailed;
     std::array<double, 8> values{};
@@ -114,20 +115,20 @@ Done Evaluator::circle_through(Value* a) {
         for (std::uint32_t i = 0; i < 3; ++i)
             if (!set_element(*to, i, found[i])) return kFailed;
     }
-    *a = Value::truth(circle.has_value());
+    *a = ControlValue::truth(circle.has_value());
     return kDone;
 }
 
 /// Two arrays of three points, and a variable that takes the error.
-Done Evaluator::measured_frame(Value* a) {
+Done Evaluator::measured_frame(ControlValue* a) {
     std::array<std::array<double, 9>, 2> points{};
     for (std::size_t k = 0; k < 2; ++k) {
-        const nc::Symbol* of = variable_itself(a[k], 9, "three points");
+        const nc::ControlSymbol* of = variable_itself(a[k], 9, "three points");
         if (of == nullptr) return kFailed;
         for (std::uint32_t i = 0; i < 9; ++i)
             points[k][i] = element_of(*of, i) * variables_.axis_unit(static_cast<Axis>(i % 3));
     }
-    const nc::Symbol* error = variable_itself(a[2], 1, "the error");
+    const nc::ControlSymbol* error = variable_itself(a[2], 1, "the error");
     if (error == nullptr) return kFailed;
     const MeasuredFrame found = macro::measured_frame(points[0], points[1]);
     const double shown =
@@ -137,7 +138,7 @@ Done Evaluator::measured_frame(Value* a) {
     return kDone;
 }
 
-ContourRow Evaluator::contour_row(const nc::Symbol& table, std::int64_t row) const {
+ContourRow Evaluator::contour_row(const nc::ControlSymbol& table, std::int64_t row) const {
     ContourRow out{};
     for (std::uint32_t i = 0; i < kContourColumns; ++i)
         out[i] =
@@ -146,11 +147,12 @@ ContourRow Evaluator::contour_row(const nc::Symbol& table, std::int64_t row) con
 }
 
 /// Two tables of contours with a row each, and an array that takes the point.
-Done Evaluator::common_point(Value* a) {
+Done Evaluator::common_point(ControlValue* a) {
     std::array<ContourElement, 2> elements;
     for (std::size_t k = 0; k < 2; ++k) {
-        const Value& row = a[2 * k + 1];
-        const nc::Symbol& table = level_->symbols.at(static_cast<std::uint32_t>(a[2 * k].number));
+        const ControlValue& row = a[2 * k + 1];
+        const nc::ControlSymbol& table =
+            level_->symbols.at(static_cast<std::uint32_t>(a[2 * k].number));
         const bool is_table = table.type == nc::ValueType::Real && table.dimensions == 2 &&
                               table.sizes[1] == kContourColumns;
         if (!is_table)
@@ -161,12 +163,12 @@ Done Evaluator::common_point(Value* a) {
         if (!element) return fail(diag::ContourRowWrong, {written(row)});
         elements[k] = *element;
     }
-    const nc::Symbol* to = variable_itself(a[4], 2, "a point");
+    const nc::ControlSymbol* to = variable_itself(a[4], 2, "a point");
     if (to == nullptr) return kFailed;
     const auto point = macro::common_point(elements[0], elements[1]);
     for (std::uint32_t i = 0; point && i < 2; ++i)
         if (!set_element(*to, i, (*point)[static_cast<Eigen::Index>(i)])) return kFailed;
-    *a = Value::truth(point.has_value());
+    *a = ControlValue::truth(point.has_value());
     return kDone;
 }
 
@@ -176,7 +178,7 @@ Done Evaluator::ask(nc::SystemQuantity quantity, double first, double second, do
 }
 
 /// Numbers of tools and edges.
-Done Evaluator::edge_question(Operation operation, Value* a, int count) {
+Done Evaluator::edge_question(Operation operation, ControlValue* a, int count) {
     if (operation == Operation::ToolOfEdge) return tool_of_edge(a);
     if (operation == Operation::EdgesUnique) return edges_unique(a, count);
     for (int i = 0; i < count; ++i) {
@@ -187,20 +189,20 @@ Done Evaluator::edge_question(Operation operation, Value* a, int count) {
     double edge = 0;
     if (!ask(nc::SystemQuantity::EdgeNumberOf, a[0].number, a[1].number, edge)) return kFailed;
     if (operation == Operation::EdgeNumber) {
-        *a = Value::of(edge, nc::ValueType::Int);
+        *a = ControlValue::of(edge, nc::ValueType::Int);
         return kDone;
     }
     const bool is_given =
         edge != 0 &&
         variables_.set_system(nc::SystemQuantity::EdgeNumberOf, std::llround(a[0].number),
                               std::llround(a[1].number), a[2].number);
-    *a = Value::truth(is_given);
+    *a = ControlValue::truth(is_given);
     return kDone;
 }
 
 /// A variable that takes the tool, and the number D.
-Done Evaluator::tool_of_edge(Value* a) {
-    const nc::Symbol* to = variable_itself(a[0], 1, "a tool");
+Done Evaluator::tool_of_edge(ControlValue* a) {
+    const nc::ControlSymbol* to = variable_itself(a[0], 1, "a tool");
     if (to == nullptr) return kFailed;
     if (!a[1].is_number())
         return fail(diag::ArgumentRange, {variables_.word_of(operation_), written(a[1])});
@@ -209,13 +211,13 @@ Done Evaluator::tool_of_edge(Value* a) {
     if (!ask(nc::SystemQuantity::ToolWithEdge, a[1].number, 0, tool) ||
         !ask(nc::SystemQuantity::ToolWithEdge, a[1].number, 1, other) || !set_element(*to, 0, tool))
         return kFailed;
-    *a = Value::of(tool == 0 ? -1 : other == 0 ? 0 : -2, nc::ValueType::Int);
+    *a = ControlValue::of(tool == 0 ? -1 : other == 0 ? 0 : -2, nc::ValueType::Int);
     return kDone;
 }
 
 /// Variables that name a tool, another one, and a number D; those that are not there mean all.
-Done Evaluator::edges_unique(Value* a, int count) {
-    std::array<const nc::Symbol*, 3> of{};
+Done Evaluator::edges_unique(ControlValue* a, int count) {
+    std::array<const nc::ControlSymbol*, 3> of{};
     std::array<double, 3> wanted{};
     for (int i = 0; i < count; ++i) {
         const auto k = static_cast<std::size_t>(i);
@@ -244,12 +246,12 @@ Done Evaluator::edges_unique(Value* a, int count) {
                 const std::array<double, 3> found{tools[i], tools[j], static_cast<double>(edge)};
                 for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
                     if (!set_element(*of[k], 0, found[k])) return kFailed;
-                *a = Value::truth(false);
+                *a = ControlValue::truth(false);
                 return kDone;
             }
         }
     }
-    *a = Value::truth(true);
+    *a = ControlValue::truth(true);
     return kDone;
 }
 

@@ -35,13 +35,13 @@ std::optional<double> number_in(std::string_view text) {
 }  // namespace
 
 /// With 10 decimals at most, and no more of them than the number has digits. S 8.4.
-std::string Evaluator::written(const Value& value) const {
+std::string Evaluator::written(const ControlValue& value) const {
     if (value.is_text()) return std::string(text(value));
-    if (value.kind == Value::Kind::Char) return value.character();
+    if (value.kind == ControlValue::Kind::Char) return value.character();
     constexpr int kMostDecimals = 10;
     constexpr int kDigits = std::numeric_limits<double>::digits10;
     int decimals = 0;
-    if (value.kind == Value::Kind::Real || value.is_vacant()) {
+    if (value.kind == ControlValue::Kind::Real || value.is_vacant()) {
         const double size = std::clamp(std::fabs(value.number), 1.0, 1e300);
         decimals = std::clamp(kDigits - 1 - static_cast<int>(std::log10(size)), 0, kMostDecimals);
     }
@@ -69,7 +69,7 @@ std::size_t first_of(std::string_view text, std::string_view signs) {
 
 }  // namespace
 
-Done Evaluator::text_function(Operation operation, Value* a, int count) {
+Done Evaluator::text_function(Operation operation, ControlValue* a, int count) {
     const bool takes_numbers =
         operation == Operation::Concatenate || operation == Operation::ToText;
     if (!(a->is_text() || (takes_numbers && a->is_number())))
@@ -80,8 +80,8 @@ Done Evaluator::text_function(Operation operation, Value* a, int count) {
     const auto place = [&](std::size_t found) {
         const bool is_missing = found == std::string::npos;
         const std::string_view before = std::string_view(subject).substr(0, found);
-        *a = Value::of(is_missing ? -1.0 : static_cast<double>(count_code_points(before)),
-                       nc::ValueType::Int);
+        *a = ControlValue::of(is_missing ? -1.0 : static_cast<double>(count_code_points(before)),
+                              nc::ValueType::Int);
         return kDone;
     };
     switch (operation) {
@@ -95,7 +95,8 @@ Done Evaluator::text_function(Operation operation, Value* a, int count) {
             return kDone;
         }
         case Operation::TextLength:
-            *a = Value::of(static_cast<double>(count_code_points(subject)), nc::ValueType::Int);
+            *a = ControlValue::of(static_cast<double>(count_code_points(subject)),
+                                  nc::ValueType::Int);
             return kDone;
         case Operation::UpperCase: *a = keep_text(upper_letters(subject)); return kDone;
         case Operation::LowerCase: *a = keep_text(lower_letters(subject)); return kDone;
@@ -112,7 +113,9 @@ Done Evaluator::text_function(Operation operation, Value* a, int count) {
                 std::string(code_points(subject, begin, static_cast<std::size_t>(length))));
             return kDone;
         }
-        case Operation::IsNumber: *a = Value::truth(number_in(subject).has_value()); return kDone;
+        case Operation::IsNumber:
+            *a = ControlValue::truth(number_in(subject).has_value());
+            return kDone;
         default: {
             const auto number = number_in(subject);
             if (!number) return fail(diag::NoNumberText, {subject});

@@ -42,7 +42,7 @@ std::string FileStatements::name_of(std::string_view path) const {
 /// Files wait for the blocks in front: what stands behind an alarm is never written.
 Outcome FileStatements::execute(CompiledLine& line, const ControlStatement& statement) {
     if (run_.counts.given > 0) return Outcome::Wait;
-    Value path;
+    ControlValue path;
     Outcome done = run_.evaluate(line, statement.value, path);
     if (!goes_on(done)) return done;
     if (!path.is_text()) {
@@ -62,7 +62,7 @@ Outcome FileStatements::execute(CompiledLine& line, const ControlStatement& stat
         done = read_file(line, statement, name, error);
         if (!goes_on(done)) return done;
     } else {
-        Value text;
+        ControlValue text;
         done = run_.evaluate(line, statement.second, text);
         if (!goes_on(done)) return done;
         if (!text.is_text()) {
@@ -74,23 +74,23 @@ Outcome FileStatements::execute(CompiledLine& line, const ControlStatement& stat
             run_.options.printer->line(run_.evaluator.text(text));
     }
     const auto number = static_cast<double>(error);
-    return run_.store(line, statement.variable, Value::of(number, nc::ValueType::Int));
+    return run_.store(line, statement.variable, ControlValue::of(number, nc::ValueType::Int));
 }
 
 /// Elements of the array for which there is no line stay as they are, and of a line there is as
 /// much as the texts take (unsure).
 Outcome FileStatements::read_file(CompiledLine& line, const ControlStatement& statement,
                                   const std::string& name, ControlFiles::Error& error) {
-    Value first;
-    Value count;
+    ControlValue first;
+    ControlValue count;
     Outcome done = run_.evaluate(line, statement.second, first);
     if (!goes_on(done)) return done;
     done = run_.evaluate(line, statement.count, count);
     if (!goes_on(done)) return done;
-    const nc::Instruction& load = statement.table.load;
-    const nc::Symbol* result = load.kind == nc::Instruction::Kind::Element
-                                   ? &run_.variables.level().symbols.at(load.index)
-                                   : nullptr;
+    const nc::ControlInstruction& load = statement.table.load;
+    const nc::ControlSymbol* result = load.kind == nc::ControlInstruction::Kind::Element
+                                          ? &run_.variables.level().symbols.at(load.index)
+                                          : nullptr;
     const bool is_fine = result != nullptr && load.count == 0 && result->dimensions < 2 &&
                          result->type == nc::ValueType::Text;
     if (!is_fine)
@@ -104,7 +104,7 @@ Outcome FileStatements::read_file(CompiledLine& line, const ControlStatement& st
         return Outcome::Nothing;
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
-        const Value text =
+        const ControlValue text =
             run_.evaluator.keep_text(std::string(code_points(found[i], 0, result->text_size)));
         const auto fault =
             run_.variables.store_element(*result, result->slot + static_cast<std::uint32_t>(i),

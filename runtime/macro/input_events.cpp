@@ -73,7 +73,7 @@ void InputEvents::act() {
 void InputEvents::act_event(const InputEvent& event) {
     CompiledLine line;
     line.text = event.text;
-    nc::TextState apart;
+    nc::TextBounds apart;
     apart.name = event.file;
     const LinePosition goes_on = std::exchange(run_.frame->goes_on, line.program_line.next);
     const std::size_t resume = std::exchange(run_.frame->resume, 0);

@@ -19,7 +19,7 @@ constexpr int kBits = 32;
 }  // namespace
 
 Variables::Answer ControlVariables::input(std::uint32_t form, std::span<const std::int64_t> indices,
-                                          Value& out, std::string& text) {
+                                          ControlValue& out, std::string& text) {
     machine_values_.read(language_.variables[form].ranges[0], names_.of_machine_value(indices), out,
                          text);
     return Answer::Value;
@@ -27,7 +27,7 @@ Variables::Answer ControlVariables::input(std::uint32_t form, std::span<const st
 
 /// 32 variables as one number, the first one its lowest bit; a number with a sign (F 6.5).
 Variables::Answer ControlVariables::read_bits(std::uint32_t form, const VariableRange& range,
-                                              std::int64_t number, Value& out) {
+                                              std::int64_t number, ControlValue& out) {
     const auto first = static_cast<std::int64_t>(range.value) + (number - range.first) * kBits;
     std::uint32_t bits = 0;
     // Of inputs that nobody has given the number is reported that the program reads, and not each.
@@ -37,7 +37,7 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
         [&](const std::string&, const std::string&) { is_missing = true; });
     Answer answered = Answer::Value;
     for (int i = 0; i < kBits && answered == Answer::Value; ++i) {
-        Value bit;
+        ControlValue bit;
         answered = family(form, first + i, bit);
         if (bit.number != 0) bits |= std::uint32_t{1} << i;
         is_given |=
@@ -47,12 +47,12 @@ Variables::Answer ControlVariables::read_bits(std::uint32_t form, const Variable
     if (answered != Answer::Value) return answered;
     if (is_missing && !is_given && report)
         report(names_.in_family(language_.variables[form], number), range.meaning);
-    out = Value::of(static_cast<std::int32_t>(bits), range.type);
+    out = ControlValue::of(static_cast<std::int32_t>(bits), range.type);
     return Answer::Value;
 }
 
 VariableFault ControlVariables::store_bits(std::uint32_t form, const VariableRange& range,
-                                           std::int64_t number, const Value& value) {
+                                           std::int64_t number, const ControlValue& value) {
     const double whole = std::round(value.number);
     constexpr double kMost = 4294967296.0;
     if (!(whole >= -kMost / 2 && whole < kMost)) {
@@ -63,21 +63,22 @@ VariableFault ControlVariables::store_bits(std::uint32_t form, const VariableRan
     const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(whole));
     const auto first = static_cast<std::int64_t>(range.value) + (number - range.first) * kBits;
     for (int i = 0; i < kBits; ++i) {
-        const VariableFault fault = store_family(form, first + i, Value::real(bits >> i & 1u));
+        const VariableFault fault =
+            store_family(form, first + i, ControlValue::real(bits >> i & 1u));
         if (fault.row != nullptr) return fault;
     }
     return {};
 }
 
 VariableFault ControlVariables::store_input(std::uint32_t form, const VariableRange& range,
-                                            const std::string& name, const Value& value,
+                                            const std::string& name, const ControlValue& value,
                                             std::string_view text) {
     if (!range.is_shared && !machine_values_.is_machine_writing())
         return {&diag::VariableReadOnly, {'`' + name + '`'}};
     const bool is_open = language_.variables[form].is_open;
     if (!value.is_number() && !(value.is_text() && is_open))
         return {&diag::TypesDiffer, {'`' + name + '`', std::string(kind_name(value))}};
-    Value converted = value;
+    ControlValue converted = value;
     if (!is_open) {
         if (VariableFault fault = convert(range.type, converted, text); fault.row != nullptr)
             return fault;

@@ -54,7 +54,7 @@ void LineCompiler::note_lost_names(const CompiledLine& line) {
     const nc::ControlWords words(run_.tables, line.text);
     bool is_declaration = false;
     for (std::size_t at = 0; !words.is_end(at);) {
-        const nc::Word word = words.word_at(at);
+        const nc::LetterRun word = words.word_at(at);
         const auto declares = [&](const nc::StatementForm& form) {
             return form.statement == Statement::Declare && words.matches(word, form.tokens[0].text);
         };

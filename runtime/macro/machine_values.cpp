@@ -17,14 +17,14 @@ std::string_view front_of(std::string_view name, char open) {
 
 }  // namespace
 
-void MachineValues::read(const VariableRange& range, const std::string& name, Value& out,
+void MachineValues::read(const VariableRange& range, const std::string& name, ControlValue& out,
                          std::string& text) {
     if (const Entry* const entry = find(name)) {
         out = entry->value;
         text = entry->text;
         return;
     }
-    out = Value::of(0, range.type);
+    out = ControlValue::of(0, range.type);
     const bool is_first = reported_missing_.emplace(front_of(name, language_.index_open)).second;
     if (is_first && missing_listener_) missing_listener_(name, range.meaning);
 }

@@ -21,7 +21,7 @@ namespace kadr::macro {
 class MachineValues {
   public:
     struct Entry {
-        Value value;
+        ControlValue value;
         std::string text;        // if the value is one
         std::uint32_t form = 0;  // of variables, that reads it
     };
@@ -49,7 +49,7 @@ class MachineValues {
         values_.insert_or_assign(name, std::move(entry));
     }
     /// The value, and its text if it is one; 0 where nobody has given it, and that is reported.
-    void read(const nc::VariableRange& range, const std::string& name, Value& out,
+    void read(const nc::VariableRange& range, const std::string& name, ControlValue& out,
               std::string& text);
     /// Those of a form that programs write, too: what only the machine gives is known without the
     /// program.

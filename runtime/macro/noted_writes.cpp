@@ -8,8 +8,8 @@
 
 namespace kadr::macro {
 
+using nc::ControlInstruction;
 using nc::FramePart;
-using nc::Instruction;
 using nc::SystemQuantity;
 using nc::VariableRange;
 
@@ -68,7 +68,7 @@ bool is_of_tool_offset(SystemQuantity quantity) {
 }  // namespace
 
 /// A system variable of the control as a variable of this name; vacant if it cannot be read.
-ControlVariable ControlVariables::shown_state(const Instruction& target,
+ControlVariable ControlVariables::shown_state(const ControlInstruction& target,
                                               std::span<const std::int64_t> indices,
                                               std::string name) {
     ControlVariable out;
@@ -80,15 +80,15 @@ ControlVariable ControlVariables::shown_state(const Instruction& target,
                    : type == nc::ValueType::Bool ? ControlVariable::Kind::Bool
                                                  : ControlVariable::Kind::Real;
     };
-    if (target.kind == Instruction::Kind::Family) {
-        Value value;
+    if (target.kind == ControlInstruction::Kind::Family) {
+        ControlValue value;
         if (family(target.index, indices[0], value) == Answer::Value && value.is_number())
             take_number(value.number, nc::ValueType::Real);
         return out;
     }
     const auto quantity = static_cast<SystemQuantity>(target.index);
     control::ControlFrame whole;
-    if (target.kind == Instruction::Kind::SystemPart) {
+    if (target.kind == ControlInstruction::Kind::SystemPart) {
         const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
         const FramePart part = target.part();
         const bool is_distance = part == FramePart::Shift || part == FramePart::Fine;
@@ -130,8 +130,8 @@ std::vector<ControlVariable> ControlVariables::shown_data(bool is_of_tool, std::
                 if (indices.first != number || std::ranges::find(known, place) != known.end())
                     continue;
                 known.push_back(place);
-                Instruction load;
-                load.kind = Instruction::Kind::Family;
+                ControlInstruction load;
+                load.kind = ControlInstruction::Kind::Family;
                 load.index = static_cast<std::uint32_t>(form);
                 const std::array one = {at};
                 out.push_back(shown_state(load, one, names_.in_family(family, at)));
@@ -141,11 +141,12 @@ std::vector<ControlVariable> ControlVariables::shown_data(bool is_of_tool, std::
     return out;
 }
 
-bool ControlVariables::is_state(const Instruction& target,
+bool ControlVariables::is_state(const ControlInstruction& target,
                                 std::span<const std::int64_t> indices) const {
-    if (target.kind == Instruction::Kind::Family)
+    if (target.kind == ControlInstruction::Kind::Family)
         return quantity_of(target.index, indices[0]) != SystemQuantity::None;
-    return target.kind == Instruction::Kind::System || target.kind == Instruction::Kind::SystemPart;
+    return target.kind == ControlInstruction::Kind::System ||
+           target.kind == ControlInstruction::Kind::SystemPart;
 }
 
 /// Data that a block writes (G10) are shown by the variables that have them; `step` notes what
@@ -183,7 +184,7 @@ void NotedWrites::report_data() {
 
 /// Writes a variable; what it is of the control's own state is noted if somebody looks on.
 VariableFault NotedWrites::store(const CompiledLine& line, const nc::Reference& reference,
-                                 std::span<const std::int64_t> indices, const Value& value) {
+                                 std::span<const std::int64_t> indices, const ControlValue& value) {
     const Content content = evaluator_.content(value);
     if (!variables_.notes_changes() || !variables_.is_state(reference.load, indices))
         return variables_.store(reference.load, indices, value, content);

@@ -23,7 +23,7 @@ class NotedWrites {
     void report_data();
     /// Writes a variable.
     VariableFault store(const CompiledLine& line, const nc::Reference& reference,
-                        std::span<const std::int64_t> indices, const Value& value);
+                        std::span<const std::int64_t> indices, const ControlValue& value);
 
   private:
     struct WrittenOffset {

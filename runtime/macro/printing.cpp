@@ -64,7 +64,7 @@ Outcome Printing::execute(CompiledLine& line, const nc::ControlStatement& statem
             text += piece.text;
             continue;
         }
-        Value value;
+        ControlValue value;
         const Outcome done = run_.evaluate(line, piece.value, value);
         if (!goes_on(done)) return done;
         if (is_bytes) {

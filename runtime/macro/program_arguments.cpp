@@ -82,7 +82,7 @@ Outcome begin_with_arguments(ProgramRun& run) {
     CompiledLine line;
     line.text = call_line(run.language.calls, *run.options.call);
     line.program_line = {run.frame->here, run.frame->here};
-    nc::TextState apart;
+    nc::TextBounds apart;
     apart.name = "--call";
     run.lines.bounds().enter(apart);
     run.lines.begin(1);

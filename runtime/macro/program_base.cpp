@@ -66,8 +66,8 @@ Outcome ProgramBase::fail(CompiledLine& line, ProgramMap::Fault fault, const Dia
     return fail(line, diag::TextGone, span, {"this line"});
 }
 
-Outcome ProgramBase::evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
-                              int decimals) {
+Outcome ProgramBase::evaluate(CompiledLine& line, const nc::Expression& expression,
+                              ControlValue& out, int decimals) {
     const Evaluator::Outcome outcome = evaluator.run(line.line, expression, out, decimals);
     if (!missing_inputs_.empty()) report_missing(line);
     switch (outcome) {
@@ -93,7 +93,7 @@ void ProgramBase::warn_of_radians(const CompiledLine& line) {
 }
 
 Outcome ProgramBase::truth(CompiledLine& line, const nc::Expression& expression, bool& out) {
-    Value value;
+    ControlValue value;
     const Outcome done = evaluate(line, expression, value);
     if (!goes_on(done)) return done;
     if (!value.is_number()) {
@@ -104,7 +104,8 @@ Outcome ProgramBase::truth(CompiledLine& line, const nc::Expression& expression,
     return Outcome::Nothing;
 }
 
-Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, const Value& value) {
+Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference,
+                           const ControlValue& value) {
     std::array<std::int64_t, 4> indices{};
     if (reference.indices.is_given()) {
         const Evaluator::Outcome outcome = evaluator.indices(line.line, reference, indices);
@@ -119,8 +120,8 @@ Outcome ProgramBase::store(CompiledLine& line, const nc::Reference& reference, c
     VariableFault fault = writes.store(line, reference, indices, value);
     if (fault.row == nullptr) return Outcome::Nothing;
     // The control's own state has the name that the program uses.
-    const bool is_family = reference.load.kind == nc::Instruction::Kind::Family;
-    const bool is_state = is_family || reference.load.kind == nc::Instruction::Kind::System;
+    const bool is_family = reference.load.kind == nc::ControlInstruction::Kind::Family;
+    const bool is_state = is_family || reference.load.kind == nc::ControlInstruction::Kind::System;
     const auto quantity = is_family ? variables.quantity_of(reference.load.index, indices[0])
                                     : static_cast<nc::SystemQuantity>(reference.load.index);
     if (is_state && !fault.arguments.empty() && fault.arguments[0] == info(quantity).name) {

@@ -100,12 +100,12 @@ class ProgramBase {
     /// worked out.
     bool is_sound(Outcome done) const { return goes_on(done) && !lines.faults().failed(); }
     /// decimals  as Evaluator::run has them
-    Outcome evaluate(CompiledLine& line, const nc::Expression& expression, Value& out,
+    Outcome evaluate(CompiledLine& line, const nc::Expression& expression, ControlValue& out,
                      int decimals = -1);
     /// The value of a condition.
     Outcome truth(CompiledLine& line, const nc::Expression& expression, bool& out);
     /// Sets a variable.
-    Outcome store(CompiledLine& line, const nc::Reference& reference, const Value& value);
+    Outcome store(CompiledLine& line, const nc::Reference& reference, const ControlValue& value);
     /// Reports what is wrong with the line; always Failed.
     Outcome fail(CompiledLine& line, const nc::LineFault& fault);
     Outcome fail(CompiledLine& line, const DiagnosticRow& row, const nc::Span& span,

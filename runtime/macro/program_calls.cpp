@@ -50,7 +50,7 @@ Outcome Calls::call(CompiledLine& line, const ControlStatement& statement) {
 
 /// A section of this program by its label; with a count it is repeated instead.
 Outcome Calls::call_section(CompiledLine& line, const ControlStatement& statement) {
-    Value count = Value::real(0);
+    ControlValue count = ControlValue::real(0);
     Outcome done = Outcome::Nothing;
     if (statement.count.is_given()) done = run_.evaluate(line, statement.count, count);
     if (!goes_on(done)) return done;

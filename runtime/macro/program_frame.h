@@ -38,7 +38,7 @@ struct OpenRepeat {
 /// An argument that was worked out where the call stands.
 struct GivenValue {
     bool is_given = false;
-    Value value;
+    ControlValue value;
     std::string text;                        // of a text
     control::ControlFrame frame;             // of a frame
     ControlVariables::VariableRef variable;  // of a variable alone
@@ -80,7 +80,7 @@ struct CallsAtPositions {
 /// A program that runs: the main program, or one that was called.
 struct RunningProgram {
     ProgramUnit* unit = nullptr;
-    nc::TextState text;
+    nc::TextBounds text;
     Level* level = nullptr;
     std::shared_ptr<Level> own_level;   // null: the caller's
     LinePosition here;                  // of the line that is next

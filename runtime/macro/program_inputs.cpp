@@ -130,8 +130,9 @@ Outcome MachineInputs::run(CompiledLine& line, Block& out) {
             const bool is_assignment =
                 statement.kind == Statement::Assign || statement.kind == Statement::NameVariables;
             if (!is_assignment) return run_.fail(line, diag::InputNoValue, statement.span);
-            const bool is_local = statement.kind == Statement::Assign &&
-                                  statement.variable.load.kind == nc::Instruction::Kind::Local;
+            const bool is_local =
+                statement.kind == Statement::Assign &&
+                statement.variable.load.kind == nc::ControlInstruction::Kind::Local;
             const nc::Span& said = statement.variable.span;
             if (is_local) {
                 return run_.fail(line, diag::InputOfProgram, said,

@@ -28,7 +28,7 @@ Result<LineTarget, Outcome> Jumps::resolve(CompiledLine& line, const JumpTarget&
     LineTarget out{target.label, target.number};
     if (target.kind == JumpTarget::Kind::Number) out.label.clear();
     if (target.kind != JumpTarget::Kind::Computed) return out;
-    Value value;
+    ControlValue value;
     const Outcome done = run_.evaluate(line, target.value, value);
     if (!goes_on(done)) return done;
     if (value.is_text()) {
@@ -86,7 +86,7 @@ Outcome Jumps::jump(CompiledLine& line, const ControlStatement& statement) {
 static bool is_fixed(const nc::ControlLine& code, const JumpTarget& target) {
     if (target.kind != JumpTarget::Kind::Computed) return true;
     return target.value.count == 1 &&
-           code.code[target.value.first].kind == nc::Instruction::Kind::Number;
+           code.code[target.value.first].kind == nc::ControlInstruction::Kind::Number;
 }
 
 /// Of lines that are only read: whether the targets stand in the program. Which of them is computed
@@ -145,12 +145,12 @@ void Jumps::leave_open(const LinePosition& target) {
 }
 
 Outcome Jumps::choose_case(CompiledLine& line, const ControlStatement& statement) {
-    Value value;
+    ControlValue value;
     Outcome done = run_.evaluate(line, statement.value, value);
     if (!goes_on(done)) return done;
     for (std::size_t i = 0; i < statement.inner.size(); ++i) {
         if (i < statement.list.size()) {
-            Value wanted;
+            ControlValue wanted;
             done = run_.evaluate(line, statement.list[i], wanted);
             if (!goes_on(done)) return done;
             const std::optional<bool> is_same = run_.evaluator.is_same(value, wanted);
@@ -177,7 +177,7 @@ Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
         nc::LineFront front;
         front.statement = statement.kind;
         front.loop = statement.loop;
-        const Structure* found = nullptr;
+        const StructureParts* found = nullptr;
         ProgramMap::Crossing crossing;
         const auto fault = run_.map().find_end(line.program_line, front, found, crossing);
         if (fault != ProgramMap::Fault::None) return fail_at_end(line, statement, fault, crossing);
@@ -192,8 +192,8 @@ Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
     }
     OpenStructure& open = run_.frame->structures.back();
     if (statement.kind == Statement::For) {
-        Value first;
-        Value last;
+        ControlValue first;
+        ControlValue last;
         Outcome done = run_.evaluate(line, statement.value, first);
         if (goes_on(done)) done = run_.evaluate(line, statement.second, last);
         if (goes_on(done)) {
@@ -304,10 +304,10 @@ Outcome Jumps::count_on(CompiledLine& line, OpenStructure& loop, bool& goes_on_l
     if (counter.indices.is_given() &&
         run_.evaluator.indices(code, counter, indices) != Evaluator::Outcome::Done)
         return run_.fail(line, run_.evaluator.fault());
-    Value value;
+    ControlValue value;
     if (!run_.variables.load(counter.load, indices, value))
         return run_.fail(line, diag::VariableNumber, counter.span, {"of the counter"});
-    value = Value::of(std::round(value.number) + 1, counter.load.type);
+    value = ControlValue::of(std::round(value.number) + 1, counter.load.type);
     goes_on_looping = value.number <= loop.last;
     const auto fault = run_.variables.store(counter.load, indices, value, {});
     if (fault.row != nullptr) return run_.fail(line, *fault.row, counter.span, fault.arguments);
@@ -330,7 +330,7 @@ Outcome Jumps::otherwise(CompiledLine& line, const ControlStatement& statement) 
 Outcome Jumps::repeat_section(CompiledLine& line, const ControlStatement& statement) {
     std::int64_t passes = 1;
     if (statement.count.is_given()) {
-        Value count;
+        ControlValue count;
         const Outcome done = run_.evaluate(line, statement.count, count);
         if (!goes_on(done)) return done;
         const double wanted = std::round(count.number);

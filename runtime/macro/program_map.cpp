@@ -139,7 +139,7 @@ class OpenStructures {
     /// The line of the innermost structure; 0: of the one that was begun with.
     std::uint64_t innermost() const { return open_.size() == 1 ? 0 : heads_.back(); }
 
-    Step take(const nc::LineFront& line, const ProgramLine& program_line, Structure& out) {
+    Step take(const nc::LineFront& line, const ProgramLine& program_line, StructureParts& out) {
         if (begins_structure(line.statement)) return begin(line, program_line);
         if (line.statement == Statement::Else) return take_else(program_line, out);
         return is_end(line.statement) ? end(line, program_line, out) : Step::On;
@@ -156,7 +156,7 @@ class OpenStructures {
     }
 
     /// Of a condition inside, its own map looks at the order.
-    Step take_else(const ProgramLine& program_line, Structure& out) {
+    Step take_else(const ProgramLine& program_line, StructureParts& out) {
         const bool is_own = open_.size() == 1;
         if (open_.back().statement != Statement::If) return Step::Crossed;
         if (is_own && out.otherwise) return Step::SecondElse;
@@ -164,7 +164,7 @@ class OpenStructures {
         return Step::On;
     }
 
-    Step end(const nc::LineFront& line, const ProgramLine& program_line, Structure& out) {
+    Step end(const nc::LineFront& line, const ProgramLine& program_line, StructureParts& out) {
         // An end of a condition inside of a loop that none has opened there: it is passed over.
         if (line.statement == Statement::EndIf && open_.back().statement != Statement::If)
             return Step::On;
@@ -184,14 +184,14 @@ class OpenStructures {
 }  // namespace
 
 ProgramMap::Fault ProgramMap::find_end(const ProgramLine& head, const nc::LineFront& front,
-                                       const Structure*& out, Crossing& crossing) {
+                                       const StructureParts*& out, Crossing& crossing) {
     if (const auto known = structures_.find(head.line.offset); known != structures_.end()) {
         out = &known->second;
         return Fault::None;
     }
     using Step = OpenStructures::Step;
     OpenStructures open(front);
-    Structure structure;
+    StructureParts structure;
     Step step = Step::On;
     const Fault fault =
         scan(head.next, [&](std::string_view line, const ProgramLine& program_line) {

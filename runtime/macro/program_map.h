@@ -27,7 +27,7 @@ struct ProgramLine {
 };
 
 /// The further parts of a loop or a condition, from its head.
-struct Structure {
+struct StructureParts {
     std::optional<ProgramLine> otherwise;  // of a condition
     ProgramLine end;
 };
@@ -75,7 +75,7 @@ class ProgramMap {
     /// The end of the structure whose head stands at `head`.
     ///
     /// crossing  set where a line of another structure is in the way
-    Fault find_end(const ProgramLine& head, const nc::LineFront& front, const Structure*& out,
+    Fault find_end(const ProgramLine& head, const nc::LineFront& front, const StructureParts*& out,
                    Crossing& crossing);
     /// The next mark of this name behind `from`.
     Fault find_label_between(std::string_view label, const LinePosition& from,
@@ -94,7 +94,7 @@ class ProgramMap {
     nc::LineSource& source_;
     LinePosition begin_;
     std::map<std::tuple<std::uint64_t, Direction, LineTarget>, ProgramLine> targets_;
-    std::unordered_map<std::uint64_t, Structure> structures_;
+    std::unordered_map<std::uint64_t, StructureParts> structures_;
     std::optional<std::map<LineTarget, Twice>> twice_;  // nothing: not looked for yet
 };
 

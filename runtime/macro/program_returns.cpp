@@ -40,8 +40,8 @@ Outcome Returns::leave(CompiledLine& line, const ControlStatement& statement, Bl
             {line.text.substr(statement.span.begin, statement.span.end - statement.span.begin)});
     }
     // How many levels, and which block of the program that goes on.
-    Value behind;
-    Value levels = Value::real(1);
+    ControlValue behind;
+    ControlValue levels = ControlValue::real(1);
     if (statement.value.is_given()) done = run_.evaluate(line, statement.value, behind);
     if (!goes_on(done)) return done;
     if (statement.count.is_given()) done = run_.evaluate(line, statement.count, levels);

@@ -71,8 +71,8 @@ Outcome ProgramRun::execute(CompiledLine& line, const ControlStatement& statemen
         case Statement::Procedure:
         case Statement::External: return calls.execute(line, statement, out);
         case Statement::Alarm: {
-            Value number;
-            Value text;
+            ControlValue number;
+            ControlValue text;
             Outcome done = evaluate(line, statement.value, number);
             if (!goes_on(done)) return done;
             if (statement.second.is_given()) done = evaluate(line, statement.second, text);
@@ -88,7 +88,7 @@ Outcome ProgramRun::execute(CompiledLine& line, const ControlStatement& statemen
 /// not executed again.
 Outcome ProgramRun::run_text(CompiledLine& line, const ControlStatement& statement, Block& out) {
     if (!running_text_) {
-        Value text;
+        ControlValue text;
         const Outcome done = evaluate(line, statement.second, text);
         if (!goes_on(done)) return done;
         if (!text.is_text()) {

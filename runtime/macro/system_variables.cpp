@@ -170,7 +170,7 @@ void SystemVariables::put_units(ContourElements& contour) const {
         if (form.function != function || form.group < 0) continue;
         const auto group = static_cast<std::size_t>(form.group);
         const auto list = std::ranges::find(language_.code_lists, tables_.groups[group].name,
-                                            &nc::CodeList::group);
+                                            &nc::GroupCodes::group);
         if (list == language_.code_lists.end()) break;
         index = static_cast<int>(codes_.place_in(*list, group)) - 1;
         break;
@@ -220,12 +220,13 @@ double SystemVariables::on_increment(double value, bool is_length) const {
 }
 
 VariableFault SystemVariables::set_number(SystemQuantity quantity, const QuantityIndices& indices,
-                                          const Value& value) {
+                                          const ControlValue& value) {
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {std::string(info(quantity).name)}};
     const std::string name(info(quantity).name);
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
-    const bool is_axis = quantity == SystemQuantity::CarrierAxis && value.kind == Value::Kind::Axis;
+    const bool is_axis =
+        quantity == SystemQuantity::CarrierAxis && value.kind == ControlValue::Kind::Axis;
     if (!value.is_number() && !is_axis)
         return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     if (quantity == SystemQuantity::CarrierAxis && !is_axis && value.number != 0)
@@ -271,12 +272,12 @@ VariableFault SystemVariables::set_frame(SystemQuantity quantity, std::int64_t n
 }
 
 VariableFault SystemVariables::set_text(SystemQuantity quantity, std::int64_t index,
-                                        const Value& value, std::string_view text) {
+                                        const ControlValue& value, std::string_view text) {
     const std::string name(info(quantity).name);
     if (info(quantity).access == nc::QuantityInfo::Access::Read)
         return {&diag::VariableReadOnly, {name}};
     if (state_ == nullptr) return {&diag::IsoNotSupported, {name}};
-    Value converted = value;
+    ControlValue converted = value;
     if (VariableFault fault = convert(nc::ValueType::Text, converted, text); fault.row != nullptr)
         return fault;
     const std::string written = written_text(value, text);

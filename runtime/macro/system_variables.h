@@ -79,12 +79,12 @@ class SystemVariables {
                           double value);
     /// Sets a number by a value in the units of the text.
     VariableFault set_number(nc::SystemQuantity quantity, const QuantityIndices& indices,
-                             const Value& value);
+                             const ControlValue& value);
     VariableFault set_frame(nc::SystemQuantity quantity, std::int64_t number,
                             const control::ControlFrame& frame);
     /// value  what it becomes, which is this text if it is one
-    VariableFault set_text(nc::SystemQuantity quantity, std::int64_t index, const Value& value,
-                           std::string_view text);
+    VariableFault set_text(nc::SystemQuantity quantity, std::int64_t index,
+                           const ControlValue& value, std::string_view text);
 
   private:
     double to_text_units(nc::SystemQuantity quantity, const QuantityIndices& indices,

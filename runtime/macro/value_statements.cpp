@@ -18,15 +18,15 @@ using nc::Span;
 
 Outcome ValueStatements::assign(CompiledLine& line, const ControlStatement& statement, Block& out) {
     if (!statement.list.empty()) return assign_list(line, statement);
-    Value value;
+    ControlValue value;
     Outcome done = run_.evaluate(line, statement.value, value);
     if (!goes_on(done)) return done;
     // Writing some variables acts: an alarm, a stop.
-    const nc::Instruction& load = statement.variable.load;
+    const nc::ControlInstruction& load = statement.variable.load;
     nc::SystemQuantity quantity = nc::SystemQuantity::None;
-    if (load.kind == nc::Instruction::Kind::System)
+    if (load.kind == nc::ControlInstruction::Kind::System)
         quantity = static_cast<nc::SystemQuantity>(load.index);
-    if (load.kind == nc::Instruction::Kind::Family) {
+    if (load.kind == nc::ControlInstruction::Kind::Family) {
         std::array<std::int64_t, 2> number{};
         if (run_.evaluator.indices(line.line, statement.variable, number) ==
             Evaluator::Outcome::Done)
@@ -44,13 +44,14 @@ Outcome ValueStatements::assign(CompiledLine& line, const ControlStatement& stat
 /// A text that is too long for its variable is cut off. That of a constant is not, which is
 /// reported where it is stored, and one that is put together is reported as such. S 8.2.
 Outcome ValueStatements::fit_text(CompiledLine& line, const ControlStatement& statement,
-                                  Value& value) {
-    using Kind = nc::Instruction::Kind;
+                                  ControlValue& value) {
+    using Kind = nc::ControlInstruction::Kind;
     if (!value.is_text() || statement.variable.load.kind != Kind::Element) return Outcome::Nothing;
-    const nc::Symbol& symbol = run_.variables.level().symbols.at(statement.variable.load.index);
+    const nc::ControlSymbol& symbol =
+        run_.variables.level().symbols.at(statement.variable.load.index);
     const std::string text(run_.evaluator.text(value));
     const nc::Expression& expression = statement.value;
-    const nc::Instruction& last = line.line.code[expression.first + expression.count - 1];
+    const nc::ControlInstruction& last = line.line.code[expression.first + expression.count - 1];
     const std::size_t length = count_code_points(text);
     const bool fits = symbol.type != nc::ValueType::Text || length <= symbol.text_size;
     if (fits || last.kind == Kind::Text) return Outcome::Nothing;
@@ -76,7 +77,7 @@ Outcome ValueStatements::assign_list(CompiledLine& line, const ControlStatement&
     for (std::size_t i = 0; i < count; ++i) {
         const nc::Expression& expression = statement.list[statement.fills ? 0 : i];
         if (!expression.is_given()) continue;
-        Value value;
+        ControlValue value;
         done = run_.evaluate(line, expression, value);
         if (!goes_on(done)) return done;
         const auto fault = store_at(target, static_cast<std::uint32_t>(i), value);
@@ -91,7 +92,7 @@ Outcome ValueStatements::fill_count(CompiledLine& line, std::span<const nc::Expr
                                     std::size_t most, std::size_t& out) {
     out = most;
     if (expressions.size() < 2 || !expressions[1].is_given()) return Outcome::Nothing;
-    Value number;
+    ControlValue number;
     const Outcome done = run_.evaluate(line, expressions[1], number);
     if (!run_.is_sound(done)) return done;
     if (!(number.number >= 1) || number.number > static_cast<double>(most))
@@ -103,7 +104,7 @@ Outcome ValueStatements::fill_count(CompiledLine& line, std::span<const nc::Expr
 /// Where the values of a list go: from this element on, or from the variable of this number on.
 Outcome ValueStatements::list_target(CompiledLine& line, const nc::Reference& reference,
                                      ListTarget& out) {
-    using Kind = nc::Instruction::Kind;
+    using Kind = nc::ControlInstruction::Kind;
     out.load = reference.load;
     out.name = line.text.substr(reference.span.begin, reference.span.end - reference.span.begin);
     std::array<std::int64_t, 4> indices{};
@@ -113,7 +114,7 @@ Outcome ValueStatements::list_target(CompiledLine& line, const nc::Reference& re
         case Evaluator::Outcome::Fault: return run_.fail(line, run_.evaluator.fault());
     }
     if (out.load.kind == Kind::Element) {
-        const nc::Symbol& symbol = run_.variables.level().symbols.at(out.load.index);
+        const nc::ControlSymbol& symbol = run_.variables.level().symbols.at(out.load.index);
         const auto first = Evaluator::element(symbol, indices);
         if (!first) {
             return run_.fail(line, diag::IndexWrong, reference.span,
@@ -143,13 +144,13 @@ Outcome ValueStatements::list_target(CompiledLine& line, const nc::Reference& re
 }
 
 VariableFault ValueStatements::store_at(const ListTarget& target, std::uint32_t i,
-                                        const Value& value) {
+                                        const ControlValue& value) {
     const Content content = run_.evaluator.content(value);
-    if (target.load.kind == nc::Instruction::Kind::Element) {
+    if (target.load.kind == nc::ControlInstruction::Kind::Element) {
         return run_.variables.store_element(run_.variables.level().symbols.at(target.load.index),
                                             target.first + i, value, content);
     }
-    nc::Instruction load = target.load;
+    nc::ControlInstruction load = target.load;
     load.index = target.first + i;
     return run_.variables.store(load, {}, value, content);
 }
@@ -174,7 +175,7 @@ Outcome ValueStatements::declare(CompiledLine& line, const ControlStatement& sta
 /// The least and the greatest value that variables may hold, `LLI 0 ULI 100`.
 Outcome ValueStatements::limit(CompiledLine& line, const ControlStatement& statement) {
     ControlVariables::Limits limits;
-    Value bound;
+    ControlValue bound;
     for (const bool is_least : {true, false}) {
         const nc::Expression& expression = is_least ? statement.value : statement.second;
         if (!expression.is_given()) continue;
@@ -192,7 +193,7 @@ Outcome ValueStatements::limit(CompiledLine& line, const ControlStatement& state
 Outcome ValueStatements::text_size(CompiledLine& line, const nc::Expression& expression,
                                    std::uint32_t& out) {
     if (!expression.is_given()) return Outcome::Nothing;
-    Value size;
+    ControlValue size;
     const Outcome done = run_.evaluate(line, expression, size);
     if (!run_.is_sound(done)) return done;
     if (size.number < 1 || size.number > run_.language.rules.most_text)
@@ -203,7 +204,7 @@ Outcome ValueStatements::text_size(CompiledLine& line, const nc::Expression& exp
 
 Outcome ValueStatements::declare_one(CompiledLine& line, const nc::Declaration& declaration,
                                      nc::ValueType type, std::uint32_t characters) {
-    nc::Symbol symbol;
+    nc::ControlSymbol symbol;
     symbol.name = declaration.name;
     symbol.type = type;
     symbol.text_size = characters;
@@ -211,13 +212,14 @@ Outcome ValueStatements::declare_one(CompiledLine& line, const nc::Declaration& 
     double count = 1;
     const bool had_failed = run_.lines.faults().failed();
     for (std::size_t i = 0; i < declaration.dimensions; ++i) {
-        Value length = Value::real(1);  // of a parameter whose size the caller's array gives
+        ControlValue length =
+            ControlValue::real(1);  // of a parameter whose size the caller's array gives
         Outcome done = Outcome::Nothing;
         if (declaration.sizes[i].is_given())
             done = run_.evaluate(line, declaration.sizes[i], length);
         if (done == Outcome::Wait || (run_.lines.faults().failed() && !had_failed)) return done;
         // Where lines are only read nobody has given the parameters a value.
-        if (run_.phase.is_only_checking && !(length.number >= 1)) length = Value::real(1);
+        if (run_.phase.is_only_checking && !(length.number >= 1)) length = ControlValue::real(1);
         count *= length.number;
         if (!(length.number >= 1) || count > 1e6) {
             return run_.fail(line, diag::SizeWrong, declaration.sizes[i].span,
@@ -234,7 +236,7 @@ Outcome ValueStatements::declare_one(CompiledLine& line, const nc::Declaration& 
         return run_.fail(line, diag::VariablesTooMany, declaration.span,
                          {name, std::to_string(kMostElements)});
     }
-    const nc::Symbol& added = run_.variables.declare(std::move(symbol));
+    const nc::ControlSymbol& added = run_.variables.declare(std::move(symbol));
     std::size_t filled = declaration.values.size();
     if (declaration.fills) {
         const Outcome done = fill_count(line, declaration.values, added.count(), filled);
@@ -245,7 +247,7 @@ Outcome ValueStatements::declare_one(CompiledLine& line, const nc::Declaration& 
     for (std::size_t i = 0; i < filled; ++i) {
         const nc::Expression& expression = declaration.values[declaration.fills ? 0 : i];
         if (!expression.is_given()) continue;
-        Value value;
+        ControlValue value;
         const Outcome done = run_.evaluate(line, expression, value);
         if (!run_.is_sound(done)) return done;
         const auto fault =
@@ -266,7 +268,7 @@ Outcome ValueStatements::raise(CompiledLine& line, const Span& span, double numb
     const double rounded = std::round(number);
     if (!(rounded >= rules.least_alarm && rounded <= rules.most_alarm))
         return run_.fail(line, diag::AlarmNumber, span,
-                         {run_.evaluator.written(Value::real(number))});
+                         {run_.evaluator.written(ControlValue::real(number))});
     if (run_.counts.given > 0) return Outcome::Wait;
     const std::string shown = std::to_string(std::llround(rounded) + rules.alarm_base);
     const TextLocation location = run_.lines.location(line.text, line.program_line.line.line, span);

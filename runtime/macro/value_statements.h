@@ -10,10 +10,10 @@ class ProgramBase;
 
 /// Where the values of a list go.
 struct ListTarget {
-    nc::Instruction load;     // Element, Global
-    std::string name;         // for messages
-    std::uint32_t first = 0;  // slot of the first one
-    std::uint32_t left = 0;   // so many there are from it on
+    nc::ControlInstruction load;  // Element, Global
+    std::string name;             // for messages
+    std::uint32_t first = 0;      // slot of the first one
+    std::uint32_t left = 0;       // so many there are from it on
 };
 
 class ValueStatements {
@@ -34,12 +34,13 @@ class ValueStatements {
     Outcome raise(CompiledLine& line, const nc::Span& span, double number, const std::string& text);
 
   private:
-    Outcome fit_text(CompiledLine& line, const nc::ControlStatement& statement, Value& value);
+    Outcome fit_text(CompiledLine& line, const nc::ControlStatement& statement,
+                     ControlValue& value);
     Outcome assign_list(CompiledLine& line, const nc::ControlStatement& statement);
     Outcome fill_count(CompiledLine& line, std::span<const nc::Expression> expressions,
                        std::size_t most, std::size_t& out);
     Outcome list_target(CompiledLine& line, const nc::Reference& reference, ListTarget& out);
-    VariableFault store_at(const ListTarget& target, std::uint32_t i, const Value& value);
+    VariableFault store_at(const ListTarget& target, std::uint32_t i, const ControlValue& value);
     Outcome limit(CompiledLine& line, const nc::ControlStatement& statement);
     Outcome stop_with_message(std::string_view text, nc::Block& out);
 

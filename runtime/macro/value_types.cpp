@@ -24,26 +24,26 @@ std::string_view type_name(nc::ValueType type) {
 
 }  // namespace
 
-VariableFault convert(nc::ValueType type, Value& value, std::string_view text) {
+VariableFault convert(nc::ValueType type, ControlValue& value, std::string_view text) {
     if (value.is_vacant()) return {};
     const bool is_own_kind = type == nc::ValueType::Axis || type == nc::ValueType::Frame;
-    if (is_own_kind || value.kind == Value::Kind::Axis || value.is_frame()) {
-        if (value.kind == Value::of(0, type).kind) return {};
+    if (is_own_kind || value.kind == ControlValue::Kind::Axis || value.is_frame()) {
+        if (value.kind == ControlValue::of(0, type).kind) return {};
         return {&diag::TypesDiffer, {std::string(type_name(type)), std::string(kind_name(value))}};
     }
     if (type == nc::ValueType::Text) {
-        if (value.kind == Value::Kind::Real || value.kind == Value::Kind::Int)
+        if (value.kind == ControlValue::Kind::Real || value.kind == ControlValue::Kind::Int)
             return {&diag::TypesDiffer, {"a text", "a number"}};
         return {};
     }
     if (value.is_text()) {
         if (type == nc::ValueType::Bool) {
-            value = Value::of(text.empty() ? 0 : 1, type);
+            value = ControlValue::of(text.empty() ? 0 : 1, type);
             return {};
         }
         if (type != nc::ValueType::Char || count_code_points(text) != 1)
             return {&diag::TypesDiffer, {std::string(type_name(type)), "a text"}};
-        value = Value::of(first_code_point(text), type);
+        value = ControlValue::of(first_code_point(text), type);
     }
     double number = value.number;
     const auto range_fault = [&] {
@@ -63,13 +63,13 @@ VariableFault convert(nc::ValueType type, Value& value, std::string_view text) {
         case nc::ValueType::Bool: number = number != 0 ? 1 : 0; break;
         default: break;
     }
-    value = Value::of(number, type);
+    value = ControlValue::of(number, type);
     return {};
 }
 
-std::string written_text(const Value& value, std::string_view text) {
-    if (value.kind == Value::Kind::Char) return value.character();
-    if (value.kind == Value::Kind::Bool) return value.number != 0 ? "1" : "0";
+std::string written_text(const ControlValue& value, std::string_view text) {
+    if (value.kind == ControlValue::Kind::Char) return value.character();
+    if (value.kind == ControlValue::Kind::Bool) return value.number != 0 ? "1" : "0";
     return std::string(text);
 }
 

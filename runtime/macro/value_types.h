@@ -18,9 +18,9 @@ struct VariableFault {
 
 /// Makes the value, which is this text if it is one, what a variable of the type holds: rounded to
 /// a whole number, a truth value, a character.
-VariableFault convert(nc::ValueType type, Value& value, std::string_view text);
+VariableFault convert(nc::ValueType type, ControlValue& value, std::string_view text);
 
 /// What a variable of texts gets: a character or a truth value is written out. S 8.2.
-std::string written_text(const Value& value, std::string_view text);
+std::string written_text(const ControlValue& value, std::string_view text);
 
 }  // namespace kadr::macro

@@ -10,19 +10,19 @@ namespace kadr::macro {
 
 using nc::VariableRange;
 
-ControlVariable shown(std::string name, const Value& value, std::string_view text) {
+ControlVariable shown(std::string name, const ControlValue& value, std::string_view text) {
     ControlVariable variable;
     variable.name = std::move(name);
     variable.number = value.number;
     variable.text = text;
     switch (value.kind) {
-        case Value::Kind::Bool: variable.kind = ControlVariable::Kind::Bool; break;
-        case Value::Kind::Int:
-        case Value::Kind::Char: variable.kind = ControlVariable::Kind::Int; break;
-        case Value::Kind::Text:
-        case Value::Kind::Axis:
-        case Value::Kind::Frame: variable.kind = ControlVariable::Kind::Text; break;
-        case Value::Kind::Vacant: variable.kind = ControlVariable::Kind::Vacant; break;
+        case ControlValue::Kind::Bool: variable.kind = ControlVariable::Kind::Bool; break;
+        case ControlValue::Kind::Int:
+        case ControlValue::Kind::Char: variable.kind = ControlVariable::Kind::Int; break;
+        case ControlValue::Kind::Text:
+        case ControlValue::Kind::Axis:
+        case ControlValue::Kind::Frame: variable.kind = ControlVariable::Kind::Text; break;
+        case ControlValue::Kind::Vacant: variable.kind = ControlVariable::Kind::Vacant; break;
         default: variable.kind = ControlVariable::Kind::Real;
     }
     return variable;
@@ -68,7 +68,8 @@ std::string VariableNames::at_slot(VariableRange::Kind kind, std::size_t slot) c
     return {};
 }
 
-std::string VariableNames::of_element(const nc::Symbol& symbol, std::uint32_t element) const {
+std::string VariableNames::of_element(const nc::ControlSymbol& symbol,
+                                      std::uint32_t element) const {
     if (symbol.dimensions == 0) return symbol.name;
     std::array<std::uint32_t, 3> indices{};
     for (std::size_t i = symbol.dimensions; i-- > 0;) {

@@ -15,7 +15,7 @@
 namespace kadr::macro {
 
 /// A value as who looks on is shown it.
-ControlVariable shown(std::string name, const Value& value, std::string_view text);
+ControlVariable shown(std::string name, const ControlValue& value, std::string_view text);
 
 class VariableNames {
   public:
@@ -36,7 +36,7 @@ class VariableNames {
     /// Empty: there is none.
     std::string at_slot(nc::VariableRange::Kind kind, std::size_t slot) const;
     /// An element of a variable that the program has declared, or that variable if it is no array.
-    std::string of_element(const nc::Symbol& symbol, std::uint32_t element) const;
+    std::string of_element(const nc::ControlSymbol& symbol, std::uint32_t element) const;
 
     /// How the control writes an operation.
     std::string of_operation(nc::Operation operation) const;

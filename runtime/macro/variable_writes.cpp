@@ -10,12 +10,13 @@
 
 namespace kadr::macro {
 
-using nc::Instruction;
+using nc::ControlInstruction;
 using nc::SystemQuantity;
 using nc::VariableRange;
 
 template <typename Set>
-void ControlVariables::change(Store& store, std::size_t slot, const nc::Symbol* symbol, Set set) {
+void ControlVariables::change(Store& store, std::size_t slot, const nc::ControlSymbol* symbol,
+                              Set set) {
     if (changes_ == nullptr) return set();
     VariableChange& change = changes_->emplace_back();
     change.before = shown_in(store, slot, symbol);
@@ -27,7 +28,7 @@ void ControlVariables::change(Store& store, std::size_t slot, const nc::Symbol* 
     if (was_zero) change.before.kind = change.after.kind;
 }
 
-void ControlVariables::set_argument(Level& level, std::uint32_t slot, const Value& value) {
+void ControlVariables::set_argument(Level& level, std::uint32_t slot, const ControlValue& value) {
     change(level.locals, slot, nullptr, [&] { level.locals.values[slot] = value; });
 }
 
@@ -41,9 +42,9 @@ void ControlVariables::set_number(const VariableRef& variable, std::uint32_t ele
                                   double number) {
     const std::uint32_t slot = variable.slot + element;
     const bool is_local = variable.symbol == nullptr && variable.store == &level_->locals;
-    const nc::Symbol* symbol = is_local ? declared_at(*level_, slot) : variable.symbol;
+    const nc::ControlSymbol* symbol = is_local ? declared_at(*level_, slot) : variable.symbol;
     change(*variable.store, slot, symbol,
-           [&] { variable.store->values[slot] = Value::of(number, variable.type); });
+           [&] { variable.store->values[slot] = ControlValue::of(number, variable.type); });
 }
 
 SystemQuantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t number) const {
@@ -52,39 +53,41 @@ SystemQuantity ControlVariables::quantity_of(std::uint32_t form, std::int64_t nu
     return is_system ? range->quantity : SystemQuantity::None;
 }
 
-bool ControlVariables::must_wait(const Instruction& target,
+bool ControlVariables::must_wait(const ControlInstruction& target,
                                  std::span<const std::int64_t> indices) const {
     if (system_variables_.is_in_step()) return false;
-    if (target.kind == Instruction::Kind::System || target.kind == Instruction::Kind::SystemPart)
+    if (target.kind == ControlInstruction::Kind::System ||
+        target.kind == ControlInstruction::Kind::SystemPart)
         return true;
-    return target.kind == Instruction::Kind::Family &&
+    return target.kind == ControlInstruction::Kind::Family &&
            quantity_of(target.index, indices[0]) != SystemQuantity::None;
 }
 
-VariableFault ControlVariables::store(const Instruction& target,
-                                      std::span<const std::int64_t> indices, const Value& value,
-                                      const Content& content) {
+VariableFault ControlVariables::store(const ControlInstruction& target,
+                                      std::span<const std::int64_t> indices,
+                                      const ControlValue& value, const Content& content) {
     const std::string_view text = content.text;
-    Value converted = value;
+    ControlValue converted = value;
     switch (target.kind) {
-        case Instruction::Kind::Global:
-        case Instruction::Kind::Local: {
+        case ControlInstruction::Kind::Global:
+        case ControlInstruction::Kind::Local: {
             if (VariableFault fault = convert(target.type, converted, text); fault.row != nullptr)
                 return fault;
-            Store& store = target.kind == Instruction::Kind::Global ? globals_ : level_->locals;
-            const nc::Symbol* symbol = &store == &globals_ || changes_ == nullptr
-                                           ? nullptr
-                                           : declared_at(*level_, target.index);
+            Store& store =
+                target.kind == ControlInstruction::Kind::Global ? globals_ : level_->locals;
+            const nc::ControlSymbol* symbol = &store == &globals_ || changes_ == nullptr
+                                                  ? nullptr
+                                                  : declared_at(*level_, target.index);
             change(store, target.index, symbol, [&] { store.values[target.index] = converted; });
             return {};
         }
-        case Instruction::Kind::Family: return store_family(target.index, indices[0], value);
-        case Instruction::Kind::Input: {
+        case ControlInstruction::Kind::Family: return store_family(target.index, indices[0], value);
+        case ControlInstruction::Kind::Input: {
             const VariableRange& range = language_.variables[target.index].ranges[0];
             return store_input(target.index, range,
                                names_.of_machine_value(indices.first(target.count)), value, text);
         }
-        case Instruction::Kind::System: {
+        case ControlInstruction::Kind::System: {
             const auto quantity = static_cast<SystemQuantity>(target.index);
             if (target.type == nc::ValueType::Frame) {
                 if (content.frame == nullptr)
@@ -95,10 +98,10 @@ VariableFault ControlVariables::store(const Instruction& target,
                 return system_variables_.set_text(quantity, indices[0], value, text);
             return system_variables_.set_number(quantity, {indices[0], indices[1]}, value);
         }
-        case Instruction::Kind::SystemPart:
-        case Instruction::Kind::ElementPart: return store_part(target, indices, value);
-        case Instruction::Kind::Element: {
-            const nc::Symbol& symbol = level_->symbols.at(target.index);
+        case ControlInstruction::Kind::SystemPart:
+        case ControlInstruction::Kind::ElementPart: return store_part(target, indices, value);
+        case ControlInstruction::Kind::Element: {
+            const nc::ControlSymbol& symbol = level_->symbols.at(target.index);
             const auto slot = Evaluator::element(symbol, indices);
             if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
             if (target.count == symbol.dimensions)
@@ -109,7 +112,7 @@ VariableFault ControlVariables::store(const Instruction& target,
                 fault.row != nullptr)
                 return fault;
             Store& texts = *level_->stores[target.index];
-            const Value& old = texts.values[*slot];
+            const ControlValue& old = texts.values[*slot];
             std::string whole = old.is_text() ? texts.texts[old.text] : std::string();
             if (index < 0 || index >= symbol.text_size)
                 return {&diag::IndexWrong, {'`' + symbol.name + '`'}};
@@ -125,16 +128,17 @@ VariableFault ControlVariables::store(const Instruction& target,
             change(texts, *slot, &symbol, [&] { texts.set_text(*slot, whole); });
             return {};
         }
-        case Instruction::Kind::Number:
-        case Instruction::Kind::Vacant:
-        case Instruction::Kind::Text:
-        case Instruction::Kind::Operate: break;
+        case ControlInstruction::Kind::Number:
+        case ControlInstruction::Kind::Vacant:
+        case ControlInstruction::Kind::Text:
+        case ControlInstruction::Kind::Operate: break;
     }
     return {&diag::VariableReadOnly, {"this constant"}};
 }
 
 /// Programs keep the limits of what is defined for all of them.
-VariableFault ControlVariables::check_limits(const nc::Symbol& symbol, const Value& value) const {
+VariableFault ControlVariables::check_limits(const nc::ControlSymbol& symbol,
+                                             const ControlValue& value) const {
     if (!symbol.is_shared || limits_.empty() || !value.is_number()) return {};
     const auto known = limits_.find(symbol.name);
     if (known == limits_.end()) return {};
@@ -147,10 +151,10 @@ VariableFault ControlVariables::check_limits(const nc::Symbol& symbol, const Val
             {symbol.name, shown[0], shown[1]}};
 }
 
-VariableFault ControlVariables::store_element(const nc::Symbol& symbol, std::uint32_t slot,
-                                              const Value& value, const Content& content) {
+VariableFault ControlVariables::store_element(const nc::ControlSymbol& symbol, std::uint32_t slot,
+                                              const ControlValue& value, const Content& content) {
     const std::string_view text = content.text;
-    Value converted = value;
+    ControlValue converted = value;
     if (VariableFault fault = convert(symbol.type, converted, text); fault.row != nullptr)
         return fault;
     if (VariableFault fault = check_limits(symbol, converted); fault.row != nullptr) return fault;
@@ -172,14 +176,14 @@ VariableFault ControlVariables::store_element(const nc::Symbol& symbol, std::uin
 }
 
 VariableFault ControlVariables::store_family(std::uint32_t form, std::int64_t number,
-                                             const Value& value) {
+                                             const ControlValue& value) {
     const nc::VariableForm& family = language_.variables[form];
     const VariableRange* range = find_range(family, number);
     const std::string name = names_.in_family(family, number);
     if (range == nullptr) return {&diag::VariableNumber, {name}};
     if (!value.is_number()) return {&diag::TypesDiffer, {name, std::string(kind_name(value))}};
     const auto slot = static_cast<std::size_t>(range->slot + (number - range->first));
-    Value converted = value;
+    ControlValue converted = value;
     switch (range->kind) {
         case VariableRange::Kind::Global:
         case VariableRange::Kind::Local: {
@@ -202,9 +206,9 @@ VariableFault ControlVariables::store_family(std::uint32_t form, std::int64_t nu
 }
 
 /// A component: the frame is read, changed and written again. The axis is the last index.
-VariableFault ControlVariables::store_part(const Instruction& target,
+VariableFault ControlVariables::store_part(const ControlInstruction& target,
                                            std::span<const std::int64_t> indices,
-                                           const Value& value) {
+                                           const ControlValue& value) {
     if (!value.is_number())
         return {&diag::TypesDiffer, {"a component of a frame", std::string(kind_name(value))}};
     const auto axis = static_cast<Axis>(-indices[target.count - 1u] - 1);
@@ -216,7 +220,7 @@ VariableFault ControlVariables::store_part(const Instruction& target,
         if (part == nc::FramePart::Scale && wanted == 0) return {&diag::ScaleInvalid, {"0"}};
         return {&diag::IsoNotSupported, {"such a component of this frame"}};
     };
-    if (target.kind == Instruction::Kind::SystemPart) {
+    if (target.kind == ControlInstruction::Kind::SystemPart) {
         const auto quantity = static_cast<SystemQuantity>(target.index);
         const std::int64_t number = target.count > 1 ? indices[0] : 0;
         control::ControlFrame whole;
@@ -225,11 +229,11 @@ VariableFault ControlVariables::store_part(const Instruction& target,
         if (VariableFault fault = set(whole); fault.row != nullptr) return fault;
         return system_variables_.set_frame(quantity, number, whole);
     }
-    const nc::Symbol& symbol = level_->symbols.at(target.index);
+    const nc::ControlSymbol& symbol = level_->symbols.at(target.index);
     const auto slot = Evaluator::element(symbol, indices);
     if (!slot) return {&diag::IndexWrong, {Evaluator::wrong_index(symbol, indices)}};
     Store& store = *level_->stores[target.index];
-    const Value& old = store.values[*slot];
+    const ControlValue& old = store.values[*slot];
     control::ControlFrame whole = old.is_frame() ? store.frames[old.text] : control::ControlFrame();
     if (VariableFault fault = set(whole); fault.row != nullptr) return fault;
     change(store, *slot, &symbol, [&] { store.set_frame(*slot, whole); });

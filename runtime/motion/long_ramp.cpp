@@ -35,7 +35,7 @@ double between(double least, double greatest, double part) {
 }
 
 /// Stretches that may go together, and what their limits range over.
-struct Range {
+struct StretchRange {
     std::size_t stretches = 0;
     std::size_t pieces = 0;
     double length = 0;
@@ -93,7 +93,8 @@ bool suits_axes(const Piece& piece, const Profile& part, double share, const Axi
 }
 
 /// Whether a profile over the first pieces keeps all limits.
-bool suits(const Profile& whole, const Range& range, PieceRing& pieces, const AxisTable& axes) {
+bool suits(const Profile& whole, const StretchRange& range, PieceRing& pieces,
+           const AxisTable& axes) {
     ProfileCut cut(whole);
     for (std::size_t i = 0; i < range.pieces; ++i) {
         const Piece& piece = pieces.at(i);
@@ -123,9 +124,9 @@ bool suits(const Profile& whole, const Range& range, PieceRing& pieces, const Ax
 }
 
 /// The range of the first stretches, as many as go on from one to the next.
-std::vector<Range> ranges_of(const std::deque<PlannedStretch>& planned, PieceRing& pieces) {
-    std::vector<Range> ranges;
-    Range range;
+std::vector<StretchRange> ranges_of(const std::deque<PlannedStretch>& planned, PieceRing& pieces) {
+    std::vector<StretchRange> ranges;
+    StretchRange range;
     bool bends = false;
     for (const PlannedStretch& next : planned) {
         if (std::isinf(next.limits.jerk)) return ranges;
@@ -151,7 +152,7 @@ std::optional<LongRamp> long_ramp(const std::deque<PlannedStretch>& planned, Pie
     std::optional<LongRamp> best;
     double most = kLeastGain;
     const double entry = planned.front().speeds.entry;
-    for (const Range& range : ranges_of(planned, pieces)) {
+    for (const StretchRange& range : ranges_of(planned, pieces)) {
         const double base = std::max(entry, range.exit);
         for (const double speed_part : kSpeeds) {
             const double speed = base + speed_part * (range.speed - base);

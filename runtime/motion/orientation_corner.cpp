@@ -123,7 +123,7 @@ class OrientationCorner {
     }
 
     /// How far the tool is from the direction that it has on the programmed path, rad.
-    double leaning(double distance) const {
+    double leant(double distance) const {
         const path::Transition curve = joints(distance);
         double most = 0;
         double from = 0;
@@ -196,7 +196,7 @@ std::optional<OrientationBlend> orientation_blend(const Chain& chain, const Orie
                           [&](double candidate) {
                               const double used = corner.tip().deviation(candidate) / tolerance;
                               if (std::isinf(wish.orientation)) return used;
-                              return std::max(used, corner.leaning(candidate) / wish.orientation);
+                              return std::max(used, corner.leant(candidate) / wish.orientation);
                           },
                           *most);
     if (distance < kLeastBlendDistance) return std::nullopt;
@@ -211,7 +211,7 @@ std::optional<OrientationBlend> smoothed_orientation(const Chain& chain,
     const double most =
         std::min(before.whole().orientation.length, behind.whole().orientation.length) / 2;
     if (corner.turns_evenly(most)) return std::nullopt;
-    const auto used = [&](double distance) { return corner.leaning(distance) / tolerance; };
+    const auto used = [&](double distance) { return corner.leant(distance) / tolerance; };
     const double distance = longest_blend_distance(used, most);
     if (distance < kLeastBlendDistance) return std::nullopt;
     return corner.pieces(distance, std::nullopt);

@@ -355,7 +355,7 @@ double AxisPolynomials::third(std::size_t axis, double u) const {
 
 namespace {
 
-struct Range {
+struct ValueRange {
     double least = std::numeric_limits<double>::infinity();
     double most = 0;
 
@@ -435,8 +435,8 @@ bool is_even(const Chain& chain, const Segment& piece, const AxisBounds& bounds,
              const PartWishes& wishes) {
     if (!is_continuous(chain, piece)) return false;
     const AxisPolynomials polynomials(chain, piece);
-    Range slowness;
-    Range stiffness;
+    ValueRange slowness;
+    ValueRange stiffness;
     for (std::size_t i = 0; i <= kIntervals; ++i) {
         const double u = static_cast<double>(i) / kIntervals;
         double slow = 0;

@@ -107,13 +107,13 @@ bool take_velocities(const Views& views, const AxisBounds& bounds, BentCell& cel
 }
 
 /// The most that can be asked for on a cell.
-struct Extremes {
+struct CellExtremes {
     double square = kInfinity;        // of the speed
     double acceleration = kInfinity;  // along the path, which is the same at both ends
 };
 
-Extremes extremes_of(const Views& views, const AxisBounds& bounds, double speed) {
-    Extremes most{speed * speed, kInfinity};
+CellExtremes extremes_of(const Views& views, const AxisBounds& bounds, double speed) {
+    CellExtremes most{speed * speed, kInfinity};
     for (std::size_t i = 0; i < kAxes; ++i) {
         const double bend = views[i].most_bend();
         if (bend * most.square > kMostSquare * bounds.acceleration[i])
@@ -135,7 +135,7 @@ Extremes extremes_of(const Views& views, const AxisBounds& bounds, double speed)
 /// What of an axis' acceleration the differences from straight lines may take.
 ///
 /// source  p·a + c·v², and c·v² of two that are linear: a quarter of the product of their changes
-double kept_back(const AxisView& view, const Extremes& most, double length) {
+double kept_back(const AxisView& view, const CellExtremes& most, double length) {
     const double bend_change = std::abs(view.exit_bend - view.entry_bend);
     const double square_change = std::min(most.square, 2 * most.acceleration * length);
     const double of_rate = view.rate_miss > 0 ? view.rate_miss * most.acceleration : 0;
@@ -177,7 +177,7 @@ std::optional<BentCell> cell_on(const AxisPolynomials& polynomials, const AxisBo
     cell.speed = speed;
     cell.acceleration = kInfinity;
     if (!take_velocities(views, bounds, cell)) return std::nullopt;
-    const Extremes most = extremes_of(views, bounds, cell.speed);
+    const CellExtremes most = extremes_of(views, bounds, cell.speed);
     cell.speed = std::min(cell.speed, std::sqrt(most.square));
     if (2 * kCellsOfRamp * most.acceleration * cell.length > cell.speed * cell.speed)
         return std::nullopt;

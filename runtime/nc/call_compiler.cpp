@@ -414,8 +414,8 @@ Done CallCompiler::take_listed(CallArgument& out) {
         takes_whole_arrays_ = false;
         skip();
         if (is_variable && (peek() == ',' || peek() == language_.close)) {
-            const Instruction& load = out.variable.load;
-            out.is_array = load.kind == Instruction::Kind::Element && load.count == 0 &&
+            const ControlInstruction& load = out.variable.load;
+            out.is_array = load.kind == ControlInstruction::Kind::Element && load.count == 0 &&
                            symbols_.at(load.index).dimensions > 0;
             // The value as well, unless it is many.
             if (!out.is_array) {
@@ -446,7 +446,8 @@ Done CallCompiler::take_procedure(ControlStatement& out) {
     const bool is_named = out.kind == Statement::Procedure;
     out.name = program_name(at_);
     // Nobody is called by what stands in the head: there the name may be of any form.
-    if (const Word word = words_.word_at(at_); is_named && out.name.empty() && !word.text.empty()) {
+    if (const LetterRun word = words_.word_at(at_);
+        is_named && out.name.empty() && !word.text.empty()) {
         out.name = words_.normal(word.text);
         at_ += word.text.size();
     }
@@ -471,7 +472,7 @@ Done CallCompiler::take_procedure(ControlStatement& out) {
         if (!take_close(language_.close)) return kFailed;
     }
     while (!comes_to_end()) {
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         const bool is_option = std::ranges::any_of(
             language_.calls.options,
             [&](const std::string& option) { return words_.is_same(word.text, option); });

@@ -40,7 +40,7 @@ std::optional<CommandMeaning> command_of_word(const Dialect& dialect, std::strin
     const char* const end = word.data() + word.size();
     const auto read = std::from_chars(word.data() + digits, end, number);
     if (address == kNoAddress || read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    const Code* code = tables.find_code(address, number);
+    const CodeStart* code = tables.find_code(address, number);
     if (code == nullptr) return std::nullopt;
     for (const FormId id : code->forms) {
         const Form& form = tables.forms[id];

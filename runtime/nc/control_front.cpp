@@ -53,7 +53,7 @@ class Front {
 
     std::size_t take_label(std::size_t at) {
         if (language_.label_sign.empty()) return at;
-        const Word word = words_.word_at(at);
+        const LetterRun word = words_.word_at(at);
         if (word.text.size() < 2) return at;
         const std::size_t end = words_.skip_blanks(at + word.text.size());
         if (!line_.substr(std::min(end, line_.size())).starts_with(language_.label_sign)) return at;
@@ -62,7 +62,7 @@ class Front {
     }
 
     void find_statement(std::size_t at) {
-        const Word word = words_.word_at(at);
+        const LetterRun word = words_.word_at(at);
         const StatementForm* found = nullptr;
         for (const StatementForm& form : language_.statements) {
             if (begins_with_loop(form)) {
@@ -101,7 +101,7 @@ class Front {
                 at = behind_label(label);
                 continue;
             }
-            const Word word = words_.word_at(at);
+            const LetterRun word = words_.word_at(at);
             if (!words_.matches_with_digits(word, token.text)) return false;
             at += words_.length_of(word, token.text);
         }
@@ -159,7 +159,7 @@ class Front {
                 at = std::min(line_.find('"', at + 1), line_.size() - 1) + 1;
                 continue;
             }
-            const Word word = words_.word_at(at);
+            const LetterRun word = words_.word_at(at);
             if (words_.matches(word, keyword)) return true;
             // Where blanks do not count the keyword may stand inside of letters: `#1THEN`.
             at += words_.is_blank_insensitive() ? 1 : std::max<std::size_t>(1, word.text.size());

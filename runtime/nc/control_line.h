@@ -18,7 +18,7 @@
 namespace kadr::nc {
 
 /// One step of an expression.
-struct Instruction {
+struct ControlInstruction {
     enum class Kind : std::uint8_t {
         Number,   // `number`, of type `type`
         Text,     // ControlLine::texts[index]
@@ -56,7 +56,7 @@ struct Expression {
 
 /// A variable that gets a value: its load, and what puts its indices on the stack.
 struct Reference {
-    Instruction load;
+    ControlInstruction load;
     Expression indices;
     Span span;
     bool is_given() const { return span.end != 0; }
@@ -184,7 +184,7 @@ struct ControlLine {
     std::vector<ComputedCode> codes;
     std::vector<ControlStatement> statements;
     std::vector<Call> calls;
-    std::vector<Instruction> code;
+    std::vector<ControlInstruction> code;
     std::vector<Span> spans;  // of the instructions
     std::vector<std::string> texts;
 
@@ -192,7 +192,7 @@ struct ControlLine {
 };
 
 /// A variable that the program has declared.
-struct Symbol {
+struct ControlSymbol {
     std::string name;
     ValueType type = ValueType::Real;
     std::uint32_t slot = 0;  // of its first element in the store of its level
@@ -211,28 +211,28 @@ struct Symbol {
 /// The variables declared so far, by name (in upper case where case does not count).
 class SymbolTable {
   public:
-    const Symbol* find(std::string_view name) const {
+    const ControlSymbol* find(std::string_view name) const {
         const auto found = by_name_.find(name);
         return found == by_name_.end() ? nullptr : &symbols_[found->second];
     }
     /// Whether the program itself, and nobody for all, has declared the name.
     bool has_own(std::string_view name) const {
-        const Symbol* const found = find(name);
+        const ControlSymbol* const found = find(name);
         return found != nullptr && !found->is_shared;
     }
-    std::uint32_t index_of(const Symbol& symbol) const {
+    std::uint32_t index_of(const ControlSymbol& symbol) const {
         return static_cast<std::uint32_t>(&symbol - symbols_.data());
     }
-    const Symbol& at(std::uint32_t index) const { return symbols_[index]; }
-    std::span<const Symbol> all() const { return symbols_; }
+    const ControlSymbol& at(std::uint32_t index) const { return symbols_[index]; }
+    std::span<const ControlSymbol> all() const { return symbols_; }
     /// Hides one of the same name that all programs have.
-    void add(Symbol symbol) {
+    void add(ControlSymbol symbol) {
         by_name_.insert_or_assign(symbol.name, static_cast<std::uint32_t>(symbols_.size()));
         symbols_.push_back(std::move(symbol));
     }
 
   private:
-    std::vector<Symbol> symbols_;
+    std::vector<ControlSymbol> symbols_;
     std::map<std::string, std::uint32_t, std::less<>> by_name_;
 };
 

@@ -28,10 +28,10 @@ void ControlLine::clear() {
 namespace {
 
 /// Reads one line; the lexer asks it wherever the control's language may stand.
-class LineCompiler final : public ValueCompiler, private CallCompiler {
+class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
   public:
-    LineCompiler(const DialectTables& tables, const SymbolTable& symbols, std::string_view line,
-                 ControlLine& out, const LineContext& context)
+    ControlLineCompiler(const DialectTables& tables, const SymbolTable& symbols,
+                        std::string_view line, ControlLine& out, const LineContext& context)
         : CallCompiler(tables, symbols, line, out), context_(context) {
         names_ = context.names;
         axis_names_ = context.axis_names;
@@ -74,7 +74,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                                        bool& was_taken) override {
         was_taken = false;
         begin(at);
-        const Word name = words_.word_at(at_);
+        const LetterRun name = words_.word_at(at_);
         const std::size_t next = words_.skip_blanks(at_ + name.text.size());
         if (next >= line_.size() || line_[next] != language_.index_open) return {};
         const bool is_alone = is_lone_axis_word(name.text);
@@ -138,7 +138,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     bool begins_computed_index(std::size_t at, bool is_of_spindle) const {
         if (at >= line_.size()) return false;
         if (begins_reference(at) || (is_of_spindle && line_[at] == language_.open)) return true;
-        const Word word = words_.word_at(at);
+        const LetterRun word = words_.word_at(at);
         const bool is_function = std::ranges::any_of(
             language_.functions,
             [&](const FunctionForm& form) { return words_.matches(word, form.name); });
@@ -215,7 +215,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     /// `SET(1,,3)`, `REP(0)`: values for an array.
     Try take_list(ControlStatement& out) {
         skip();
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         const auto form = std::ranges::find_if(language_.functions, [&](const FunctionForm& f) {
             return (f.operation == Operation::List || f.operation == Operation::Fill) &&
                    words_.matches(word, f.name);
@@ -275,7 +275,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     Try take_pattern(ControlStatement& out, IsWanted is_wanted) {
         skip();
         const std::size_t begin = at_;
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         std::optional<LineFault> farthest;
         const std::size_t code = out_.code.size();
         for (const StatementForm& form : language_.statements) {
@@ -342,7 +342,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
                form.tokens[1].hole == StatementToken::Hole::Call;
     }
 
-    Done take_tokens(const StatementForm& form, const Word& keyword, ControlStatement& out) {
+    Done take_tokens(const StatementForm& form, const LetterRun& keyword, ControlStatement& out) {
         at_ += words_.length_of(keyword, form.tokens[0].text);
         for (std::size_t i = 1; i < form.tokens.size(); ++i) {
             const StatementToken& token = form.tokens[i];
@@ -350,7 +350,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
             if (may_follow_comment(token)) at_ = words_.skip_comments(at_);
             switch (token.kind) {
                 case StatementToken::Kind::Word: {
-                    const Word word = words_.word_at(at_);
+                    const LetterRun word = words_.word_at(at_);
                     if (!words_.matches_with_digits(word, token.text)) {
                         if (token.is_optional) return require_finished();
                         if (at_ < line_.size()) return fail_here(diag::StatementSyntax);
@@ -410,7 +410,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         if (words_.is_end(at_)) return false;
         if (token.hole == Hole::To || token.hole == Hole::From) {
             // `P=3` behind a label is none.
-            const Word word = words_.word_at(at_);
+            const LetterRun word = words_.word_at(at_);
             const std::size_t next = words_.skip_blanks(at_ + word.text.size());
             return !word.text.empty() && (next >= line_.size() || line_[next] != '=');
         }
@@ -485,8 +485,8 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         const Done taken = take_reference(out);
         takes_rows_ = false;
         if (!taken) return kFailed;
-        const bool is_row = out.load.kind == Instruction::Kind::Element && out.load.count == 1 &&
-                            symbols_.at(out.load.index).dimensions == 2;
+        const bool is_row = out.load.kind == ControlInstruction::Kind::Element &&
+                            out.load.count == 1 && symbols_.at(out.load.index).dimensions == 2;
         return is_row ? kDone : fail(diag::IndexWrong, out.span);
     }
 
@@ -575,7 +575,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     Done take_target(JumpTarget& out) {
         skip();
         const std::size_t begin = at_;
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         if (language_.has_label_numbers) return take_label_number(out);
         const bool has_labels = !language_.label_sign.empty();
         if (has_labels && line_.substr(at_).starts_with(language_.label_sign)) ++at_;
@@ -648,7 +648,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     /// number behind it, `LLI..` with the least value, `..ULI` with the greatest. Null: none does.
     const std::string* scope_word_here() {
         skip();
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         const auto& forms = language_.calls.scope_words;
         const auto found = std::ranges::find_if(forms, [&](const std::string& form) {
             return words_.is_same(word.text, scope_word(form));
@@ -665,7 +665,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
     }
 
     Done take_type(ControlStatement& out) {
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         const auto found = std::ranges::find_if(language_.types, [&](const TypeName& type) {
             return words_.is_same(word.text, type.name);
         });
@@ -692,7 +692,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     /// `VAR REAL LIST[4]`, of an external procedure without the name.
     Done take_parameter(ProcedureParameter& out, bool is_named) override {
-        Word word = words_.word_at(words_.skip_blanks(at_));
+        LetterRun word = words_.word_at(words_.skip_blanks(at_));
         skip();
         out.is_reference = !language_.calls.reference_word.empty() &&
                            words_.is_same(word.text, language_.calls.reference_word);
@@ -713,7 +713,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
 
     Done take_declaration(Declaration& out, bool is_parameter = false) {
         skip();
-        const Word word = words_.word_at(at_);
+        const LetterRun word = words_.word_at(at_);
         out.name = words_.normal(word.text);
         out.span = {static_cast<std::uint32_t>(at_),
                     static_cast<std::uint32_t>(at_ + std::max<std::size_t>(1, word.text.size()))};
@@ -734,7 +734,7 @@ class LineCompiler final : public ValueCompiler, private CallCompiler {
         return take_initial_values(out);
     }
 
-    bool is_taken(const std::string& name, const Word& word) const {
+    bool is_taken(const std::string& name, const LetterRun& word) const {
         if (symbols_.has_own(name) || tables_.find_address(name) != kNoAddress) return true;
         const auto same = [&](const auto& form) { return words_.is_same(word.text, form.name); };
         return words_.is_same(word.text, language_.axis_word) || is_lone_axis_word(word.text) ||
@@ -853,13 +853,13 @@ std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolT
     out.clear();
     if (has_split_words(tables, line)) {
         const LineWithoutBlanks whole = without_blanks(tables, line);
-        if (!LineCompiler(tables, symbols, whole.text, out, context).run()) {
+        if (!ControlLineCompiler(tables, symbols, whole.text, out, context).run()) {
             whole.put_back(out);
             return {};
         }
         out.clear();  // what is wrong is reported of the line as it was written
     }
-    return LineCompiler(tables, symbols, line, out, context).run();
+    return ControlLineCompiler(tables, symbols, line, out, context).run();
 }
 
 }  // namespace kadr::nc

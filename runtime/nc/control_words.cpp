@@ -54,8 +54,8 @@ bool ControlWords::is_block_end(std::size_t at) const {
     return next >= line_.size() || is_comment(next);
 }
 
-Word ControlWords::word_at(std::size_t at) const {
-    Word word{at, {}};
+LetterRun ControlWords::word_at(std::size_t at) const {
+    LetterRun word{at, {}};
     if (at >= line_.size()) return word;
     std::size_t end = at;
     const bool is_sign = line_[at] == '#' || line_[at] == '$';
@@ -78,12 +78,12 @@ bool ControlWords::starts_with(std::size_t at, std::string_view text) const {
     return at <= line_.size() && is_same(line_.substr(at, text.size()), text);
 }
 
-bool ControlWords::matches_operator(const Word& word, std::string_view text) const {
+bool ControlWords::matches_operator(const LetterRun& word, std::string_view text) const {
     if (!is_blank_insensitive()) return is_same(word.text, text);
     return is_same(word.text.substr(0, text.size()), text);
 }
 
-bool ControlWords::matches(const Word& word, std::string_view keyword) const {
+bool ControlWords::matches(const LetterRun& word, std::string_view keyword) const {
     if (word.text.empty()) return false;
     if (matches_operator(word, keyword)) return true;
     const auto shortest = static_cast<std::size_t>(tables_.language.rules.short_words);
@@ -91,20 +91,20 @@ bool ControlWords::matches(const Word& word, std::string_view keyword) const {
            is_same(keyword.substr(0, word.text.size()), word.text);
 }
 
-bool ControlWords::matches_with_digits(const Word& word, std::string_view keyword) const {
+bool ControlWords::matches_with_digits(const LetterRun& word, std::string_view keyword) const {
     if (keyword.size() != 1) return matches(word, keyword);
     const std::string_view behind = word.text.substr(std::min<std::size_t>(1, word.text.size()));
     return is_same(word.text.substr(0, 1), keyword) && std::ranges::all_of(behind, is_digit);
 }
 
-std::size_t ControlWords::length_of(const Word& word, std::string_view keyword) const {
+std::size_t ControlWords::length_of(const LetterRun& word, std::string_view keyword) const {
     return std::min(word.text.size(), keyword.size());
 }
 
 bool ControlWords::begins_variable(std::size_t at) const {
     if (at >= line_.size()) return false;
     const Language& language = tables_.language;
-    const Word word = word_at(at);
+    const LetterRun word = word_at(at);
     for (const VariableForm& form : language.variables) {
         const char first = form.name[0];
         if (!starts_with(at, form.name.substr(0, 1))) continue;

@@ -9,7 +9,7 @@
 namespace kadr::nc {
 
 /// Letters that stand together.
-struct Word {
+struct LetterRun {
     std::size_t begin = 0;
     std::string_view text;
 };
@@ -39,18 +39,18 @@ class ControlWords {
         return at >= line_.size() || is_comment(at) || is_block_end(at);
     }
     /// A name with its digits, on a control without blanks letters alone; `#` begins one too.
-    Word word_at(std::size_t at) const;
+    LetterRun word_at(std::size_t at) const;
     bool is_same(std::string_view a, std::string_view b) const;
     bool starts_with(std::size_t at, std::string_view text) const;
     /// Whether the word is this keyword, a short form of it, or begins with it where blanks do not
     /// count.
-    bool matches(const Word& word, std::string_view keyword) const;
+    bool matches(const LetterRun& word, std::string_view keyword) const;
     /// The same; a keyword of one letter has digits behind it, `L5` for `L{from}`.
-    bool matches_with_digits(const Word& word, std::string_view keyword) const;
+    bool matches_with_digits(const LetterRun& word, std::string_view keyword) const;
     /// The same for operators, which have no short forms.
-    bool matches_operator(const Word& word, std::string_view text) const;
+    bool matches_operator(const LetterRun& word, std::string_view text) const;
     /// How much of the word the keyword is.
-    std::size_t length_of(const Word& word, std::string_view keyword) const;
+    std::size_t length_of(const LetterRun& word, std::string_view keyword) const;
     /// Whether a variable with a number or a sign (`#1`, `R5`, `$P_EP`) begins here.
     bool begins_variable(std::size_t at) const;
     /// 120 for `N120`; -1: it is another name.

@@ -157,7 +157,7 @@ class Explainer {
         if (id == kNoAddress) return;
         const Decimal number = parse_decimal(text.data() + digits, text.data() + text.size());
         if (number.end != text.data() + text.size()) return;
-        const Code* code = tables_.find_code(id, number.value);
+        const CodeStart* code = tables_.find_code(id, number.value);
         if (code == nullptr) return explain_builder_code(id, number.value);
         for (const FormId form : code->forms) {
             explain_meaning(tables_.forms[form]);

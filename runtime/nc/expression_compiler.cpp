@@ -68,7 +68,7 @@ void ExpressionCompiler::set_fault(const DiagnosticRow& row, Span span) {
 
 void ExpressionCompiler::set_fault_here(const DiagnosticRow& row) {
     skip();
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     const std::size_t length = std::max<std::size_t>(1, word.text.size());
     set_fault(row, {static_cast<std::uint32_t>(at_), static_cast<std::uint32_t>(at_ + length)});
 }
@@ -85,21 +85,21 @@ Done ExpressionCompiler::fail_here(const DiagnosticRow& row) {
 
 // ---------------- code
 
-void ExpressionCompiler::emit(const Instruction& instruction, std::size_t begin) {
+void ExpressionCompiler::emit(const ControlInstruction& instruction, std::size_t begin) {
     out_.code.push_back(instruction);
     out_.spans.push_back(span_from(begin));
 }
 
 void ExpressionCompiler::emit_number(double number, ValueType type, std::size_t begin) {
-    Instruction instruction;
+    ControlInstruction instruction;
     instruction.number = number;
     instruction.type = type;
     emit(instruction, begin);
 }
 
 void ExpressionCompiler::emit_operation(Operation operation, int count, std::size_t begin) {
-    Instruction instruction;
-    instruction.kind = Instruction::Kind::Operate;
+    ControlInstruction instruction;
+    instruction.kind = ControlInstruction::Kind::Operate;
     instruction.operation = operation;
     instruction.count = static_cast<std::uint8_t>(count);
     emit(instruction, begin);
@@ -130,7 +130,7 @@ Done ExpressionCompiler::take_stored(Expression& out) {
 
 const OperatorForm* ExpressionCompiler::find_operator(std::size_t at, bool is_prefix) const {
     if (is_block_end(at)) return nullptr;
-    const Word word = words_.word_at(at);
+    const LetterRun word = words_.word_at(at);
     for (const OperatorForm& form : language_.operators) {
         if (form.is_prefix != is_prefix) continue;
         const bool is_there = form.is_word ? words_.matches_operator(word, form.text)
@@ -185,7 +185,7 @@ Done ExpressionCompiler::take_primary(bool& is_logical) {
     if (c == '"') return take_text();
     if (c == '\'') return take_coded_number();
     if (words_.begins_variable(at_)) return take_variable();
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     if (word.text.empty()) return fail_here(diag::ExpressionSyntax);
     return take_name(word);
 }
@@ -303,8 +303,8 @@ Done ExpressionCompiler::take_text() {
     const std::size_t begin = at_;
     const std::size_t close = line_.find('"', at_ + 1);
     if (close == std::string_view::npos) return fail_here(diag::ExpressionSyntax);
-    Instruction instruction;
-    instruction.kind = Instruction::Kind::Text;
+    ControlInstruction instruction;
+    instruction.kind = ControlInstruction::Kind::Text;
     instruction.index = static_cast<std::uint32_t>(out_.texts.size());
     out_.texts.push_back(utf8_text(line_.substr(at_ + 1, close - at_ - 1)));
     at_ = close + 1;
@@ -320,7 +320,7 @@ Done ExpressionCompiler::take_text() {
 
 // ---------------- names
 
-Done ExpressionCompiler::take_name(const Word& word) {
+Done ExpressionCompiler::take_name(const LetterRun& word) {
     const bool is_sign = word.text == "#" || word.text == "$";  // without a number or a name
     if (is_sign) return fail_here(diag::ExpressionSyntax);
     if (begins_reference(word.begin)) return take_variable();
@@ -352,7 +352,7 @@ void ExpressionCompiler::emit_axis(Axis axis, std::size_t begin) {
     emit_number(-1.0 - static_cast<double>(index(axis)), type, begin);
 }
 
-Done ExpressionCompiler::fail_unknown(const Word& word) {
+Done ExpressionCompiler::fail_unknown(const LetterRun& word) {
     const std::string known = tables_.unsupported_words(words_.normal(word.text));
     const auto end = static_cast<std::uint32_t>(word.begin + word.text.size());
     if (!known.empty()) {
@@ -364,7 +364,7 @@ Done ExpressionCompiler::fail_unknown(const Word& word) {
 }
 
 /// The function whose first form was found; which form it is the arguments decide.
-Done ExpressionCompiler::take_function(const Word& word, const FunctionForm& found) {
+Done ExpressionCompiler::take_function(const LetterRun& word, const FunctionForm& found) {
     const std::size_t begin = at_;
     if (found.operation == Operation::List || found.operation == Operation::Fill)
         return fail_here(diag::ExpressionSyntax);
@@ -431,8 +431,8 @@ Done ExpressionCompiler::take_function(const Word& word, const FunctionForm& fou
 /// A variable that the program has declared, by its index among them.
 Done ExpressionCompiler::take_variable_itself() {
     skip();
-    const Word word = words_.word_at(at_);
-    const Symbol* symbol = symbols_.find(words_.normal(word.text));
+    const LetterRun word = words_.word_at(at_);
+    const ControlSymbol* symbol = symbols_.find(words_.normal(word.text));
     if (symbol == nullptr) return fail_here(diag::ArgumentNoVariable);
     at_ += word.text.size();
     emit_number(symbols_.index_of(*symbol), ValueType::Int, word.begin);
@@ -460,8 +460,8 @@ Done ExpressionCompiler::take_reference(Reference& out) {
     skip();
     const std::size_t begin = at_;
     out.indices.first = static_cast<std::uint32_t>(out_.code.size());
-    const Word word = words_.word_at(at_);
-    const Word whole = whole_name(word);
+    const LetterRun word = words_.word_at(at_);
+    const LetterRun whole = whole_name(word);
     const bool is_spelled_out = whole.text.size() > word.text.size();
     Try taken = is_spelled_out ? take_named(whole, out) : Try::Absent;
     const auto is_open = [&] { return taken == Try::Absent && !fault_; };
@@ -492,7 +492,7 @@ Done ExpressionCompiler::require_one_bracket(std::size_t begin) {
 }
 
 /// `#1`, `#[expression]`, `R5`
-Try ExpressionCompiler::take_family(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_family(const LetterRun& word, Reference& out) {
     for (std::size_t i = 0; i < language_.variables.size(); ++i) {
         const VariableForm& form = language_.variables[i];
         if (!form.is_family || !words_.starts_with(at_, form.name)) continue;
@@ -507,7 +507,7 @@ Try ExpressionCompiler::take_family(const Word& word, Reference& out) {
                 !take_level(language_.lowest_level, is_logical) ||
                 !take_close(language_.index_close))
                 return not_taken();
-            out.load.kind = Instruction::Kind::Family;
+            out.load.kind = ControlInstruction::Kind::Family;
             out.load.index = static_cast<std::uint32_t>(i);
             out.load.count = 1;
             return Try::Taken;
@@ -529,21 +529,21 @@ Try ExpressionCompiler::take_family(const Word& word, Reference& out) {
 
 Done ExpressionCompiler::index_in_family(const VariableForm& form, std::size_t family,
                                          std::int64_t number, std::size_t begin,
-                                         Instruction& load) {
+                                         ControlInstruction& load) {
     const VariableRange* range = find_range(form, number);
     if (range == nullptr) return fail(diag::VariableNumber, span_from(begin));
     load.type = range->type;
     tables_.note(range);
     if (range->kind == VariableRange::Kind::Global || range->kind == VariableRange::Kind::Local) {
         const bool is_global = range->kind == VariableRange::Kind::Global;
-        load.kind = is_global ? Instruction::Kind::Global : Instruction::Kind::Local;
+        load.kind = is_global ? ControlInstruction::Kind::Global : ControlInstruction::Kind::Local;
         load.index = range->slot + static_cast<std::uint32_t>(number - range->first);
         return kDone;
     }
     if (range->kind == VariableRange::Kind::Unsupported) return fail_unsupported(*range, begin);
     // Constants and system variables: by their number, as an index that is computed is.
     emit_number(static_cast<double>(number), ValueType::Int, begin);
-    load.kind = Instruction::Kind::Family;
+    load.kind = ControlInstruction::Kind::Family;
     load.index = static_cast<std::uint32_t>(family);
     load.count = 1;
     return kDone;
@@ -556,7 +556,7 @@ Done ExpressionCompiler::fail_unsupported(const VariableRange& range, std::size_
     return kFailed;
 }
 
-Word ExpressionCompiler::whole_name(Word word) const {
+LetterRun ExpressionCompiler::whole_name(LetterRun word) const {
     if (!language_.has_names_with_signs) return word;
     for (const VariableForm& form : language_.variables) {
         if (form.has_signs && form.closing.empty() && !form.is_family &&
@@ -567,7 +567,7 @@ Word ExpressionCompiler::whole_name(Word word) const {
 }
 
 /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
-Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_named(const LetterRun& word, Reference& out) {
     const std::size_t next = words_.skip_blanks(at_ + word.text.size());
     const bool has_index = next < line_.size() && line_[next] == language_.index_open;
     for (const VariableForm& form : language_.variables) {
@@ -578,7 +578,7 @@ Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
         at_ += word.text.size();
         const VariableRange& range = form.ranges[0];
         tables_.note(&range);
-        Instruction& load = out.load;
+        ControlInstruction& load = out.load;
         load.type = range.type;
         load.count = static_cast<std::uint8_t>(std::ranges::count_if(
             form.indices, [](const IndexHole& h) { return h.kind != IndexHole::Kind::Word; }));
@@ -590,14 +590,15 @@ Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
             case VariableRange::Kind::Same:
                 return tried(take_numbered(range, load.count, begin, load));
             case VariableRange::Kind::Constant:
-                load.kind = range.is_vacant ? Instruction::Kind::Vacant : Instruction::Kind::Number;
+                load.kind = range.is_vacant ? ControlInstruction::Kind::Vacant
+                                            : ControlInstruction::Kind::Number;
                 load.number = range.value;
                 load.count = 0;  // the indices do not count
                 out_.code.resize(code);
                 out_.spans.resize(code);
                 break;
             case VariableRange::Kind::System:
-                load.kind = Instruction::Kind::System;
+                load.kind = ControlInstruction::Kind::System;
                 load.index = static_cast<std::uint32_t>(range.quantity);
                 if (!take_indices(form, load)) return not_taken();
                 if (range.first != 0) add_datum(range.first, begin, load);
@@ -606,15 +607,16 @@ Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
             case VariableRange::Kind::Bits:
                 if (load.count == 0)
                     emit_number(static_cast<double>(range.first), ValueType::Int, begin);
-                load.kind = Instruction::Kind::Family;
+                load.kind = ControlInstruction::Kind::Family;
                 load.index = static_cast<std::uint32_t>(&form - language_.variables.data());
                 load.count = 1;
                 break;
             case VariableRange::Kind::Global:
             case VariableRange::Kind::Local:
-                load.kind = load.count != 0                             ? Instruction::Kind::Family
-                            : range.kind == VariableRange::Kind::Global ? Instruction::Kind::Global
-                                                                        : Instruction::Kind::Local;
+                load.kind = load.count != 0 ? ControlInstruction::Kind::Family
+                            : range.kind == VariableRange::Kind::Global
+                                ? ControlInstruction::Kind::Global
+                                : ControlInstruction::Kind::Local;
                 load.index = load.count != 0
                                  ? static_cast<std::uint32_t>(&form - language_.variables.data())
                                  : range.slot;
@@ -626,7 +628,7 @@ Try ExpressionCompiler::take_named(const Word& word, Reference& out) {
 }
 
 /// `$MN_USER_DATA_INT[3]`, `$MA_REF_VELO[AX1,0]`: whatever of this kind the machine has.
-Try ExpressionCompiler::take_open_name(const Word& word, Reference& out) {
+Try ExpressionCompiler::take_open_name(const LetterRun& word, Reference& out) {
     const auto form = std::ranges::find_if(language_.variables, [&](const VariableForm& each) {
         return each.is_open && word.text.size() > each.name.size() &&
                words_.starts_with(word.begin, each.name);
@@ -638,8 +640,8 @@ Try ExpressionCompiler::take_open_name(const Word& word, Reference& out) {
     const std::string name = words_.normal(word.text);
     const auto number = static_cast<double>(names_ == nullptr ? 1 : names_->number_of(name));
     emit_number(number, ValueType::Int, begin);
-    Instruction& load = out.load;
-    load.kind = Instruction::Kind::Input;
+    ControlInstruction& load = out.load;
+    load.kind = ControlInstruction::Kind::Input;
     load.type = form->ranges[0].type;
     load.index = static_cast<std::uint32_t>(form - language_.variables.begin());
     load.count = 1;
@@ -659,7 +661,7 @@ Done ExpressionCompiler::take_open_bracket() { return take_open(language_.index_
 
 Done ExpressionCompiler::take_any_index() {
     // `S1`: a spindle is an axis of the machine, named by its number.
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     const std::string name = words_.normal(word.text);
     const bool is_spindle = language_.has_axes && name.size() == 2 && name[0] == 'S' &&
                             name[1] >= '1' && name[1] <= '9' && symbols_.find(name) == nullptr;
@@ -676,7 +678,7 @@ Done ExpressionCompiler::take_any_index() {
 /// `AX1`, `X1`: an axis as the machine calls it. A name that the program has declared comes first.
 bool ExpressionCompiler::take_machine_axis() {
     skip();
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     const std::string name = words_.normal(word.text);
     if (name.empty() || symbols_.find(name) != nullptr) return false;
     static const MachineAxisNames kUsual = usual_axis_names({});
@@ -717,7 +719,8 @@ Try ExpressionCompiler::take_own_name(Reference& out) {
 
 /// The edge behind the number of a datum, as SystemQuantity::ToolDatum has them. A datum of the
 /// whole tool has no index of an edge.
-void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin, Instruction& load) {
+void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin,
+                                   ControlInstruction& load) {
     emit_number(static_cast<double>(datum * kDatum), ValueType::Int, begin);
     if (load.count == 1) {
         load.count = 2;
@@ -728,7 +731,7 @@ void ExpressionCompiler::add_datum(std::int64_t datum, std::size_t begin, Instru
 
 /// A name of a numbered variable; an index in front of it is added to the number.
 Done ExpressionCompiler::take_numbered(const VariableRange& range, int indices, std::size_t begin,
-                                       Instruction& load) {
+                                       ControlInstruction& load) {
     const auto family = std::ranges::find_if(language_.variables, &VariableForm::is_family);
     if (family == language_.variables.end()) return fail_unsupported(range, begin);
     const auto index = static_cast<std::size_t>(family - language_.variables.begin());
@@ -736,13 +739,13 @@ Done ExpressionCompiler::take_numbered(const VariableRange& range, int indices, 
         return index_in_family(*family, index, static_cast<std::int64_t>(range.value), begin, load);
     emit_number(range.value, ValueType::Int, begin);
     emit_operation(Operation::Add, 2, begin);
-    load.kind = Instruction::Kind::Family;
+    load.kind = ControlInstruction::Kind::Family;
     load.index = static_cast<std::uint32_t>(index);
     load.count = 1;
     return kDone;
 }
 
-Done ExpressionCompiler::take_indices(const VariableForm& form, Instruction& load) {
+Done ExpressionCompiler::take_indices(const VariableForm& form, ControlInstruction& load) {
     const bool is_frame = load.type == ValueType::Frame;
     if (form.indices.empty()) {
         const std::size_t next = words_.skip_blanks(at_);
@@ -761,18 +764,19 @@ Done ExpressionCompiler::take_indices(const VariableForm& form, Instruction& loa
     return take_close(language_.index_close);
 }
 
-Done ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
+Done ExpressionCompiler::take_frame_part(bool is_first, ControlInstruction& load) {
     if (!is_first && !take_sign(',')) return kFailed;
     if (!take_axis_index() || !take_sign(',')) return kFailed;
     skip();
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     const auto named = std::ranges::find_if(language_.frame_parts, [&](const FramePartName& name) {
         return words_.is_same(word.text, name.word);
     });
     if (named == language_.frame_parts.end()) return fail_here(diag::NameUnknown);
     at_ += word.text.size();
-    load.kind = load.kind == Instruction::Kind::System ? Instruction::Kind::SystemPart
-                                                       : Instruction::Kind::ElementPart;
+    load.kind = load.kind == ControlInstruction::Kind::System
+                    ? ControlInstruction::Kind::SystemPart
+                    : ControlInstruction::Kind::ElementPart;
     load.type = ValueType::Real;
     load.number = static_cast<double>(named->part);
     ++load.count;
@@ -781,7 +785,7 @@ Done ExpressionCompiler::take_frame_part(bool is_first, Instruction& load) {
 
 Done ExpressionCompiler::take_index(const IndexHole& hole) {
     skip();
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     if (hole.kind == IndexHole::Kind::Word) {
         if (!words_.is_same(word.text, hole.word)) {
             return fail_here(diag::IsoNotSupported);
@@ -798,7 +802,7 @@ Done ExpressionCompiler::take_index(const IndexHole& hole) {
 Done ExpressionCompiler::take_axis_index() {
     skip();
     const std::size_t begin = at_;
-    const Word word = words_.word_at(at_);
+    const LetterRun word = words_.word_at(at_);
     const auto axis = std::ranges::find(kAxisNames, words_.normal(word.text));
     if (axis != kAxisNames.end()) {
         at_ += word.text.size();
@@ -812,12 +816,12 @@ Done ExpressionCompiler::take_axis_index() {
     return kDone;
 }
 
-Try ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
-    const Symbol* symbol = symbols_.find(words_.normal(word.text));
+Try ExpressionCompiler::take_symbol(const LetterRun& word, Reference& out) {
+    const ControlSymbol* symbol = symbols_.find(words_.normal(word.text));
     if (symbol == nullptr) return not_taken();
     at_ += word.text.size();
     out.load.type = symbol->type;
-    out.load.kind = Instruction::Kind::Element;
+    out.load.kind = ControlInstruction::Kind::Element;
     out.load.index = symbols_.index_of(*symbol);
     const bool is_frame = symbol->type == ValueType::Frame;
     std::uint8_t count = 0;
@@ -844,7 +848,7 @@ Try ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
     if (count != symbol->dimensions && !(is_text && count == symbol->dimensions + 1) && !is_whole)
         return tried(fail(diag::IndexWrong, span_from(word.begin)));
     if (symbol->is_plain()) {
-        out.load.kind = Instruction::Kind::Local;
+        out.load.kind = ControlInstruction::Kind::Local;
         out.load.index = symbol->slot;
         return Try::Taken;
     }
@@ -855,7 +859,7 @@ Try ExpressionCompiler::take_symbol(const Word& word, Reference& out) {
 
 bool ExpressionCompiler::begins_reference(std::size_t at) const {
     if (words_.begins_variable(at)) return true;
-    const Word word = words_.word_at(at);
+    const LetterRun word = words_.word_at(at);
     if (word.text.empty()) return false;
     if (symbols_.find(words_.normal(word.text)) != nullptr) return true;
     return std::ranges::any_of(language_.variables, [&](const VariableForm& form) {

@@ -50,7 +50,7 @@ class ExpressionCompiler {
 
     // ------------------------------------------------------------ code
 
-    void emit(const Instruction& instruction, std::size_t begin);
+    void emit(const ControlInstruction& instruction, std::size_t begin);
     void emit_number(double number, ValueType type, std::size_t begin);
     void emit_operation(Operation operation, int count, std::size_t begin);
     /// Takes what `parse` takes as an expression of its own.
@@ -91,13 +91,13 @@ class ExpressionCompiler {
     Done take_text();
 
     // ------------------------------------------------------------ names
-    Done take_name(const Word& word);
+    Done take_name(const LetterRun& word);
     /// The axis that has this name; nothing: none, or values are no axes here.
     std::optional<Axis> axis_named(std::string_view name) const;
     void emit_axis(Axis axis, std::size_t begin);
-    Done fail_unknown(const Word& word);
+    Done fail_unknown(const LetterRun& word);
     /// The function whose first form was found; which form it is the arguments decide.
-    Done take_function(const Word& word, const FunctionForm& found);
+    Done take_function(const LetterRun& word, const FunctionForm& found);
     Done take_variable_itself();
     bool has_divided_form(const FunctionForm& found) const;
 
@@ -107,31 +107,31 @@ class ExpressionCompiler {
     Done take_reference(Reference& out);
     Done require_one_bracket(std::size_t begin);
     /// `#1`, `#[expression]`, `R5`
-    Try take_family(const Word& word, Reference& out);
-    void add_datum(std::int64_t datum, std::size_t begin, Instruction& load);
+    Try take_family(const LetterRun& word, Reference& out);
+    void add_datum(std::int64_t datum, std::size_t begin, ControlInstruction& load);
     Done take_numbered(const VariableRange& range, int indices, std::size_t begin,
-                       Instruction& load);
+                       ControlInstruction& load);
     Done index_in_family(const VariableForm& form, std::size_t family, std::int64_t number,
-                         std::size_t begin, Instruction& load);
+                         std::size_t begin, ControlInstruction& load);
     Done fail_unsupported(const VariableRange& range, std::size_t begin);
     /// The word, or all of a name with signs that is declared letter by letter: `#<_feed>` beside
     /// the family `#<_{name}>`.
-    Word whole_name(Word word) const;
+    LetterRun whole_name(LetterRun word) const;
     /// `$P_EP[X]`, `$PI`, `TRUE`, `#_ABSIO[1]`
-    Try take_named(const Word& word, Reference& out);
-    Try take_open_name(const Word& word, Reference& out);
+    Try take_named(const LetterRun& word, Reference& out);
+    Try take_open_name(const LetterRun& word, Reference& out);
     Done take_open_bracket();
     Done take_any_index();
     bool take_machine_axis();
     /// `#<depth>`
     Try take_own_name(Reference& out);
-    Done take_indices(const VariableForm& form, Instruction& load);
+    Done take_indices(const VariableForm& form, ControlInstruction& load);
     Done take_index(const IndexHole& hole);
     Done take_axis_index();
     /// `,X,TR` behind the other indices of a frame, `is_first` without the comma in front: the load
     /// becomes that of the component.
-    Done take_frame_part(bool is_first, Instruction& load);
-    Try take_symbol(const Word& word, Reference& out);
+    Done take_frame_part(bool is_first, ControlInstruction& load);
+    Try take_symbol(const LetterRun& word, Reference& out);
     bool begins_reference(std::size_t at) const;
 
     const DialectTables& tables_;

@@ -89,12 +89,12 @@ class Finisher {
                 tables_.codes.emplace_back();
                 index[tenths] = static_cast<std::uint16_t>(tables_.codes.size());
             }
-            Code& code = tables_.codes[index[tenths] - 1u];
+            CodeStart& code = tables_.codes[index[tenths] - 1u];
             code.forms.push_back(static_cast<FormId>(i));
             if (is_simple(form) && code.simple == kNoForm) code.simple = static_cast<FormId>(i);
         }
         for (Form& form : tables_.forms) form.excludes = groups_of(form);
-        for (Code& code : tables_.codes) {
+        for (CodeStart& code : tables_.codes) {
             if (code.forms.size() != 1 || code.simple == kNoForm) continue;
             const Form& form = tables_.forms[code.simple];
             code.function = form.function;
@@ -133,7 +133,7 @@ class Finisher {
         std::uint64_t groups = bit_of(form.group);
         for (const FormWord& word : form.words) {
             if (word.kind != FormWord::Kind::Fixed || word.is_quantity) continue;
-            const Code* code = tables_.find_code(word.address, word.number);
+            const CodeStart* code = tables_.find_code(word.address, word.number);
             if (code != nullptr) groups |= bit_of(tables_.forms[code->forms[0]].group);
         }
         return groups;

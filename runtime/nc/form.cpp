@@ -22,17 +22,17 @@ std::string_view trimmed(std::string_view text) {
 constexpr double kMostCodes = 1000;     // that one pattern may stand for
 constexpr double kGreatestCode = 9999;  // codes are looked up in tables of this size
 
-struct Unit {
+struct FormUnit {
     std::string_view name;
     double factor;  // text = canonical · factor
 };
-constexpr std::array<Unit, 7> kUnits = {{{"s", 1},
-                                         {"cs", 100},
-                                         {"ms", 1000},
-                                         {"min", 1.0 / 60},
-                                         {"deg", 1},
-                                         {"mm", 1},
-                                         {"permille", 1000}}};
+constexpr std::array<FormUnit, 7> kUnits = {{{"s", 1},
+                                             {"cs", 100},
+                                             {"ms", 1000},
+                                             {"min", 1.0 / 60},
+                                             {"deg", 1},
+                                             {"mm", 1},
+                                             {"permille", 1000}}};
 
 /// Reads one line of a pattern.
 class LineParser {
@@ -420,7 +420,7 @@ class LineParser {
             word.plain_factor = -1;  // below 0: no increment makes another number of them
             return kDone;
         }
-        for (const Unit& known : kUnits) {
+        for (const FormUnit& known : kUnits) {
             if (known.name != unit) continue;
             word.factor = known.factor;
             return kDone;

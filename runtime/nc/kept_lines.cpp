@@ -120,7 +120,8 @@ TextLocation KeptLines::location(const Block& block, Function function) const {
     const DialectTables& tables = reader_.tables();
     return word_location(block, [&](const GivenWord& word) {
         const Address& head = tables.addresses[word.address];
-        const Code* code = word.is_known ? tables.find_code(word.address, word.number) : nullptr;
+        const CodeStart* code =
+            word.is_known ? tables.find_code(word.address, word.number) : nullptr;
         const std::vector<FormId>& forms = code != nullptr ? code->forms : head.forms;
         return std::ranges::any_of(
             forms, [&](FormId id) { return tables.forms[id].function == function; });

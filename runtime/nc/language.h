@@ -226,7 +226,7 @@ struct FramePartName {
 };
 
 /// `G1 G2 G3`: the codes of a group in the order of the numbers that a program asks for.
-struct CodeList {
+struct GroupCodes {
     std::string group;
     std::vector<std::string> codes;
     std::int64_t standard = 1;  // number of the one that acts where none was given; 0: none does
@@ -250,7 +250,7 @@ struct Language {
     std::vector<StatementForm> statements;
     std::vector<TypeName> types;
     std::vector<FramePartName> frame_parts;
-    std::vector<CodeList> code_lists;
+    std::vector<GroupCodes> code_lists;
     CallLanguage calls;
     // Made when it is loaded.
     bool has_axes = false;              // values may be axes

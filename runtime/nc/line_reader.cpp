@@ -221,7 +221,7 @@ void LineReader::report_too_long(std::string_view line, std::uint64_t number) {
 bool LineReader::is_in_cycle() const {
     if (modes_.active(Group::CycleMode) == Function::Cycle) return true;
     return lexed_ != nullptr && std::ranges::any_of(lexed_->words, [&](const GivenWord& word) {
-               const Code* code =
+               const CodeStart* code =
                    word.is_known ? tables_.find_code(word.address, word.number) : nullptr;
                return code != nullptr && std::ranges::any_of(code->forms, [&](FormId id) {
                           return tables_.forms[id].function == Function::Cycle;

@@ -41,18 +41,18 @@ constexpr Unique kUnique[] = {
 };
 
 /// What ends a structure of the control's language.
-struct Structure {
+struct StructureEnd {
     Statement begin;
     Statement end;
 };
-constexpr Structure kStructures[] = {{Statement::If, Statement::EndIf},
-                                     {Statement::While, Statement::EndLoop},
-                                     {Statement::Loop, Statement::EndLoop},
-                                     {Statement::For, Statement::EndLoop},
-                                     {Statement::Repeat, Statement::Until},
-                                     {Statement::ContourBegin, Statement::ContourEnd},
-                                     {Statement::ContourCode, Statement::ContourEnd},
-                                     {Statement::CallSection, Statement::EndSection}};
+constexpr StructureEnd kStructures[] = {{Statement::If, Statement::EndIf},
+                                        {Statement::While, Statement::EndLoop},
+                                        {Statement::Loop, Statement::EndLoop},
+                                        {Statement::For, Statement::EndLoop},
+                                        {Statement::Repeat, Statement::Until},
+                                        {Statement::ContourBegin, Statement::ContourEnd},
+                                        {Statement::ContourCode, Statement::ContourEnd},
+                                        {Statement::CallSection, Statement::EndSection}};
 
 class SenseCheck {
   public:
@@ -90,7 +90,7 @@ class SenseCheck {
         for (const Form& form : tables_.forms) {
             if (form.lead.empty() || form.lead[0].kind != FormWord::Kind::Fixed) continue;
             const FormWord& code = form.lead[0];
-            const Code* const read = tables_.find_code(code.address, code.number);
+            const CodeStart* const read = tables_.find_code(code.address, code.number);
             const bool is_own =
                 read != nullptr && std::ranges::none_of(read->forms, [&](FormId id) {
                     return tables_.forms[id].function == Function::MachineFunction;
@@ -139,7 +139,7 @@ class SenseCheck {
         const FormWord& head = form.words[0];
         if (form.function != Function::Cycle || !form.is_read || head.kind != FormWord::Kind::Fixed)
             return;
-        const Code* const code = tables_.find_code(head.address, head.number);
+        const CodeStart* const code = tables_.find_code(head.address, head.number);
         if (code == nullptr || code->simple == kNoForm) return;
         const Form& motion = tables_.forms[code->simple];
         if (info(motion.function).group != Group::Motion) return;
@@ -316,7 +316,7 @@ class SenseCheck {
     }
 
     /// Whether a statement ends what the other one begins.
-    static bool ends(const StatementForm& form, const Structure& structure) {
+    static bool ends(const StatementForm& form, const StructureEnd& structure) {
         if (form.statement != structure.end) return false;
         if (structure.end != Statement::EndLoop) return true;
         return (form.closes >> static_cast<unsigned>(structure.begin) & 1u) != 0;
@@ -325,7 +325,7 @@ class SenseCheck {
     void check_statement(const XmlElement& element) {
         const StatementForm* form = form_of(element);
         if (form == nullptr) return;
-        for (const Structure& structure : kStructures) {
+        for (const StructureEnd& structure : kStructures) {
             const bool is_ended = std::ranges::any_of(
                 tables_.language.statements,
                 [&](const StatementForm& other) { return ends(other, structure); });

@@ -454,12 +454,12 @@ class LanguageLoader {
     }
 
     void load_codes(const XmlElement& element) {
-        CodeList list{needed(element, "group").value, {}, 1};
+        GroupCodes list{needed(element, "group").value, {}, 1};
         attributes_.read_number(element, "standard", list.standard);
         for (const XmlWord& word : words_of(needed(element, "list")))
             list.codes.push_back(word.text);
         std::erase_if(language_.code_lists,
-                      [&](const CodeList& old) { return old.group == list.group; });
+                      [&](const GroupCodes& old) { return old.group == list.group; });
         language_.code_lists.push_back(std::move(list));
     }
 

@@ -26,7 +26,7 @@ std::optional<int> loop_in_front(const ControlWords& words, std::string_view lin
     for (; at < line.size() && is_digit(line[at]) && number < kMostNumber; ++at)
         number = number * 10 + (line[at] - '0');
     if (at == first) return std::nullopt;
-    const Word keyword = words.word_at(words.skip_blanks(at));
+    const LetterRun keyword = words.word_at(words.skip_blanks(at));
     return words.matches(keyword, form.tokens[2].text) ? std::optional(number) : std::nullopt;
 }
 

@@ -17,7 +17,7 @@ using WordSet = std::bitset<kMaxWords>;
 bool near(double a, double b) { return std::fabs(a - b) < 1e-9; }
 
 /// How well a form fits the words that are left.
-struct Fit {
+struct FormFit {
     enum class Answer : std::uint8_t { Yes, Missing, Value, Mode };
     Answer answer = Answer::Yes;
     std::size_t matched = 0;        // words of the block that it takes
@@ -105,7 +105,7 @@ class Matcher {
             return head.forms.empty() ? -1 : tables_.forms[head.forms[0]].group;
         }
         if (!words_[i].is_known) return -1;
-        const Code* code = tables_.find_code(words_[i].address, words_[i].number);
+        const CodeStart* code = tables_.find_code(words_[i].address, words_[i].number);
         return code == nullptr ? -1 : tables_.forms[code->forms[0]].group;
     }
 
@@ -137,7 +137,7 @@ class Matcher {
         if (head.kind == Address::Kind::Code) {
             if (!word.has_value) return MatchFault{MatchFault::Kind::NoValue, i};
             if (!word.is_known) return MatchFault{MatchFault::Kind::CodeComputed, i};
-            const Code* code = tables_.find_code(word.address, word.number);
+            const CodeStart* code = tables_.find_code(word.address, word.number);
             if (code == nullptr && is_passed_to_builder(tables_, word.address, word.number))
                 return take_for_builder(i);
             if (code == nullptr) return MatchFault{MatchFault::Kind::UnknownCode, i};
@@ -145,7 +145,7 @@ class Matcher {
         }
         // A number that by itself means something (`D0`), if there is such a form.
         if (!word.is_known || tables_.code_index[word.address].empty()) return {};
-        const Code* code = tables_.find_code(word.address, word.number);
+        const CodeStart* code = tables_.find_code(word.address, word.number);
         return code == nullptr ? Fault{} : take_form(i, code->forms);
     }
 
@@ -159,13 +159,13 @@ class Matcher {
 
     Fault take_form(std::size_t head, const std::vector<FormId>& candidates) {
         FormId best = kNoForm;
-        Fit best_fit;
+        FormFit best_fit;
         FormId nearest = kNoForm;
-        Fit nearest_fit;
+        FormFit nearest_fit;
         for (const FormId id : candidates) {
             if (is_no_source_call(head, tables_.forms[id])) continue;
-            const Fit fit = fit_form(head, tables_.forms[id]);
-            if (fit.answer == Fit::Answer::Yes) {
+            const FormFit fit = fit_form(head, tables_.forms[id]);
+            if (fit.answer == FormFit::Answer::Yes) {
                 if (best == kNoForm || fit.matched > best_fit.matched) best = id, best_fit = fit;
             } else if (nearest == kNoForm || is_nearer(fit, nearest_fit)) {
                 nearest = id, nearest_fit = fit;
@@ -173,7 +173,7 @@ class Matcher {
         }
         if (best == kNoForm) return no_form(head, nearest, nearest_fit);
         // A word with a wrong value is not passed over because a shorter form would do without it.
-        if (nearest != kNoForm && nearest_fit.answer == Fit::Answer::Value &&
+        if (nearest != kNoForm && nearest_fit.answer == FormFit::Answer::Value &&
             !best_fit.taken[nearest_fit.culprit] && !is_slot_word(nearest_fit.culprit) &&
             !is_of_other_code(head, nearest_fit.culprit)) {
             return no_form(head, nearest, nearest_fit);
@@ -186,7 +186,7 @@ class Matcher {
     }
 
     /// Whether the block comes nearer to a form than to another one.
-    static bool is_nearer(const Fit& fit, const Fit& other) {
+    static bool is_nearer(const FormFit& fit, const FormFit& other) {
         if (fit.is_idle != other.is_idle) return other.is_idle;
         if (fit.matched != other.matched) return fit.matched > other.matched;
         // Where both refuse one word, the first form tells best what it should be.
@@ -195,10 +195,11 @@ class Matcher {
     }
 
     /// Of a cycle of two lines: what looks like settings is the work, and lacks a word of it.
-    bool is_unfinished_call(FormId best, const Fit& best_fit, FormId nearest,
-                            const Fit& fit) const {
+    bool is_unfinished_call(FormId best, const FormFit& best_fit, FormId nearest,
+                            const FormFit& fit) const {
         return tables_.forms[best].is_preset && !tables_.forms[nearest].is_preset &&
-               fit.answer == Fit::Answer::Missing && !fit.is_idle && fit.matched > best_fit.matched;
+               fit.answer == FormFit::Answer::Missing && !fit.is_idle &&
+               fit.matched > best_fit.matched;
     }
 
     /// What the words that are left mean by another form of the same code.
@@ -206,8 +207,8 @@ class Matcher {
         for (const FormId id : candidates) {
             const Form& form = tables_.forms[id];
             if (id == first || !(form.joins || tables_.forms[first].joins)) continue;
-            const Fit fit = fit_form(head, form);
-            if (fit.answer == Fit::Answer::Yes && fit.matched > 1)
+            const FormFit fit = fit_form(head, form);
+            if (fit.answer == FormFit::Answer::Yes && fit.matched > 1)
                 return apply(form, id, head, fit);
         }
         return {};
@@ -226,33 +227,33 @@ class Matcher {
     bool is_of_other_code(std::size_t head, std::size_t culprit) const {
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (i == head || used_[i] || !is_code(i) || !words_[i].is_known) continue;
-            const Code* const code = tables_.find_code(words_[i].address, words_[i].number);
+            const CodeStart* const code = tables_.find_code(words_[i].address, words_[i].number);
             if (code == nullptr) continue;
             const bool takes_it = std::ranges::any_of(code->forms, [&](FormId id) {
-                const Fit fit = fit_form(i, tables_.forms[id]);
-                return fit.answer == Fit::Answer::Yes && fit.taken[culprit];
+                const FormFit fit = fit_form(i, tables_.forms[id]);
+                return fit.answer == FormFit::Answer::Yes && fit.taken[culprit];
             });
             if (takes_it) return true;
         }
         return false;
     }
 
-    Fault no_form(std::size_t head, FormId nearest, const Fit& fit) const {
-        if (fit.answer == Fit::Answer::Value) {
+    Fault no_form(std::size_t head, FormId nearest, const FormFit& fit) const {
+        if (fit.answer == FormFit::Answer::Value) {
             return MatchFault{MatchFault::Kind::Value, fit.culprit, head, nearest, fit.argument};
         }
-        if (fit.answer == Fit::Answer::Mode)
+        if (fit.answer == FormFit::Answer::Mode)
             return MatchFault{MatchFault::Kind::Mode, fit.culprit, head, nearest};
         return MatchFault{MatchFault::Kind::Missing, head, head, nearest};
     }
 
     /// A word that another form of the same code would take must not slip through to a slot.
     Fault check_rivals(std::size_t head, const std::vector<FormId>& candidates, FormId best,
-                       const Fit& best_fit) const {
+                       const FormFit& best_fit) const {
         for (const FormId id : candidates) {
             if (id == best || tables_.forms[id].joins || tables_.forms[best].joins) continue;
-            const Fit fit = fit_form(head, tables_.forms[id]);
-            if (fit.answer != Fit::Answer::Yes) continue;
+            const FormFit fit = fit_form(head, tables_.forms[id]);
+            if (fit.answer != FormFit::Answer::Yes) continue;
             const WordSet beyond = fit.taken & ~best_fit.taken;
             if (beyond.none()) continue;
             const WordSet own = best_fit.taken & ~fit.taken;
@@ -324,7 +325,7 @@ class Matcher {
     Function active_of(Group group) const {
         for (std::size_t i = 0; i < words_.size(); ++i) {
             if (!is_code(i) || !words_[i].is_known) continue;
-            const Code* code = tables_.find_code(words_[i].address, words_[i].number);
+            const CodeStart* code = tables_.find_code(words_[i].address, words_[i].number);
             if (code == nullptr || code->simple == kNoForm) continue;
             const Function said = tables_.forms[code->simple].function;
             if (info(said).group == group) return said;
@@ -332,12 +333,12 @@ class Matcher {
         return modal_[static_cast<std::size_t>(group)];
     }
 
-    Fit fit_form(std::size_t head, const Form& form) const {
-        Fit fit;
+    FormFit fit_form(std::size_t head, const Form& form) const {
+        FormFit fit;
         fit.taken[head] = true;
         fit.matched = 1;
         fit.is_idle = !acts(form);
-        if (fit.is_idle) fit.answer = Fit::Answer::Missing;
+        if (fit.is_idle) fit.answer = FormFit::Answer::Missing;
         fit_word(form, form.words[0], head, fit);
         for (std::size_t f = 1; f < form.words.size(); ++f) {
             const FormWord& wanted = form.words[f];
@@ -359,7 +360,8 @@ class Matcher {
             }
             const bool may_lack = wanted.is_kept || wanted.is_optional || wanted.has_default;
             if (!found && !may_lack) {
-                fit.answer = fit.answer == Fit::Answer::Yes ? Fit::Answer::Missing : fit.answer;
+                fit.answer =
+                    fit.answer == FormFit::Answer::Yes ? FormFit::Answer::Missing : fit.answer;
             }
         }
         return fit;
@@ -377,39 +379,39 @@ class Matcher {
         return false;
     }
 
-    static void refuse(Fit& fit, Fit::Answer answer, std::size_t word, int argument = -1) {
-        if (fit.answer == Fit::Answer::Value) return;
+    static void refuse(FormFit& fit, FormFit::Answer answer, std::size_t word, int argument = -1) {
+        if (fit.answer == FormFit::Answer::Value) return;
         fit.answer = answer;
         fit.culprit = word;
         fit.argument = argument;
     }
 
-    void fit_word(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
+    void fit_word(const Form& form, const FormWord& wanted, std::size_t i, FormFit& fit) const {
         const GivenWord& word = words_[i];
         switch (wanted.kind) {
             case FormWord::Kind::Fixed:
                 if (!word.has_value || (word.is_known && !is_fixed(wanted, word.number))) {
                     fit.is_of_other_word = true;
-                    refuse(fit, Fit::Answer::Value, i);
+                    refuse(fit, FormFit::Answer::Value, i);
                 }
                 break;
             case FormWord::Kind::Name:
-                if (word.argument_count != 0) refuse(fit, Fit::Answer::Value, i);
+                if (word.argument_count != 0) refuse(fit, FormFit::Answer::Value, i);
                 break;
             case FormWord::Kind::Value:
-                if (!word.has_value || word.is_text) refuse(fit, Fit::Answer::Value, i);
+                if (!word.has_value || word.is_text) refuse(fit, FormFit::Answer::Value, i);
                 if (wanted.is_named_only && !wanted.is_placeholder && word.is_known &&
                     !near(word.number, 0)) {
-                    refuse(fit, Fit::Answer::Value, i);
+                    refuse(fit, FormFit::Answer::Value, i);
                 }
-                if (!is_of_mode(wanted, word.mode)) refuse(fit, Fit::Answer::Mode, i);
+                if (!is_of_mode(wanted, word.mode)) refuse(fit, FormFit::Answer::Mode, i);
                 if (word.is_known && !is_in_range(form, wanted, word.number))
-                    refuse(fit, Fit::Answer::Value, i);
+                    refuse(fit, FormFit::Answer::Value, i);
                 if (wanted.tail_digits > 0 && word.is_known && !has_tail(wanted, word.number))
-                    refuse(fit, Fit::Answer::Value, i);
+                    refuse(fit, FormFit::Answer::Value, i);
                 break;
             case FormWord::Kind::Quoted:
-                if (!word.is_text) refuse(fit, Fit::Answer::Value, i);
+                if (!word.is_text) refuse(fit, FormFit::Answer::Value, i);
                 break;
             case FormWord::Kind::Call: fit_call(form, wanted, i, fit); break;
             case FormWord::Kind::Empty:
@@ -460,7 +462,7 @@ class Matcher {
                form.when.end();
     }
 
-    void fit_call(const Form& form, const FormWord& wanted, std::size_t i, Fit& fit) const {
+    void fit_call(const Form& form, const FormWord& wanted, std::size_t i, FormFit& fit) const {
         const GivenWord& word = words_[i];
         for (std::size_t a = 0; a < word.argument_count || a < wanted.arguments.size(); ++a) {
             const GivenArgument given =
@@ -468,7 +470,7 @@ class Matcher {
             const FormWord* want = a < wanted.arguments.size() ? &wanted.arguments[a] : nullptr;
             const bool fits = want == nullptr ? given.kind == GivenArgument::Kind::Empty
                                               : fits_argument(form, *want, given);
-            if (!fits) refuse(fit, Fit::Answer::Value, i, static_cast<int>(a));
+            if (!fits) refuse(fit, FormFit::Answer::Value, i, static_cast<int>(a));
             if (fits && given.kind != GivenArgument::Kind::Empty) ++fit.matched;
         }
     }
@@ -489,7 +491,7 @@ class Matcher {
 
     // ------------------------------------------------------------ what a form programs
 
-    Fault apply(const Form& form, FormId id, std::size_t head, const Fit& fit) {
+    Fault apply(const Form& form, FormId id, std::size_t head, const FormFit& fit) {
         if (match_.form_count == match_.forms.size())
             return MatchFault{MatchFault::Kind::Full, head};
         match_.forms[match_.form_count++] = id;

@@ -51,7 +51,7 @@ Function plane_of(const Form& form) {
 /// The plane that a line programs itself, else the one that acts.
 Function plane_of(const DialectTables& tables, const LexedLine& lexed, Function modal) {
     for (const GivenWord& word : lexed.words) {
-        const Code* const code =
+        const CodeStart* const code =
             word.is_known ? tables.find_code(word.address, word.number) : nullptr;
         if (code == nullptr || code->simple == kNoForm) continue;
         const Function function = tables.forms[code->simple].function;
@@ -64,7 +64,8 @@ Function plane_of(const DialectTables& tables, const LexedLine& lexed, Function 
 /// machine: Z of `G75 Z0`, for which `Z1=0` stands.
 std::optional<std::size_t> axis_of_program(const DialectTables& tables, const LexedLine& lexed,
                                            std::size_t head) {
-    const Code* const code = tables.find_code(lexed.words[head].address, lexed.words[head].number);
+    const CodeStart* const code =
+        tables.find_code(lexed.words[head].address, lexed.words[head].number);
     if (code == nullptr) return std::nullopt;
     for (std::size_t i = 0; i < lexed.words.size(); ++i) {
         const AddressId of_machine =
@@ -188,7 +189,7 @@ void FaultWords::take_argument(LineFault& out) const {
 void FaultWords::take_other_plane(LineFault& out) const {
     const GivenWord& head = word();
     const GivenWord& other = words_.words[fault_.other];
-    const Code* const code = tables_.find_code(head.address, head.number);
+    const CodeStart* const code = tables_.find_code(head.address, head.number);
     if (code == nullptr) return;
     const Function active =
         plane_of(tables_, words_, modal_[static_cast<std::size_t>(Group::Plane)]);

@@ -68,7 +68,7 @@ const PassedWord* PassedOver::beside(const MatchFault& fault, const LexedLine& w
         const Address& address = tables_.addresses[other.address];
         std::string name = address.name;
         if (address.kind == Address::Kind::Code) {
-            const Code* const code =
+            const CodeStart* const code =
                 other.is_known ? tables_.find_code(other.address, other.number) : nullptr;
             const Function function = code == nullptr ? Function::MachineFunction
                                                       : tables_.forms[code->forms[0]].function;

@@ -185,7 +185,7 @@ bool PlainLines::read(std::string_view line, Block& block) const {
             const std::size_t code = whole.value;
             const std::vector<std::uint16_t>& index = tables_.code_index[fast.address];
             if (code * 10 >= index.size() || index[code * 10] == 0) return false;
-            const Code& known = tables_.codes[index[code * 10] - 1u];
+            const CodeStart& known = tables_.codes[index[code * 10] - 1u];
             if (!known.is_plain) return false;
             const Group group = info(known.function).group;
             const std::uint32_t mask = 1u << static_cast<unsigned>(group);

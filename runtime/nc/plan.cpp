@@ -486,7 +486,7 @@ std::optional<CycleId> cycle_of(const Dialect& dialect, std::string_view address
     const DialectTables& tables = dialect.tables();
     const AddressId id = tables.find_address(address);
     if (id == kNoAddress || tables.addresses[id].kind != Address::Kind::Code) return std::nullopt;
-    const Code* code = tables.find_code(id, number);
+    const CodeStart* code = tables.find_code(id, number);
     if (code == nullptr) return std::nullopt;
     for (const FormId form : code->forms) {
         if (tables.forms[form].function == Function::Cycle) return tables.forms[form].cycle;

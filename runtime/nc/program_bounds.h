@@ -12,7 +12,7 @@
 namespace kadr::nc {
 
 /// The text that lines stand in, and how far a program in it is read.
-struct TextState {
+struct TextBounds {
     std::string name;          // shown in messages
     std::string program;       // as the head names it
     bool has_content = false;  // blocks or statements were read
@@ -36,8 +36,8 @@ class ProgramBounds {
     ProgramBounds& operator=(const ProgramBounds&) = delete;
 
     /// The lines that follow stand in this text, which outlives its use.
-    void enter(TextState& text) { text_ = &text; }
-    const TextState& text() const { return *text_; }
+    void enter(TextBounds& text) { text_ = &text; }
+    const TextBounds& text() const { return *text_; }
     /// The end mark of the program was read.
     bool has_ended() const { return text_->has_ended; }
     /// A block was read, or something else was executed; a head of a program behind it begins
@@ -63,8 +63,8 @@ class ProgramBounds {
     bool has_wrong_number(std::string_view line) const;
 
     const DialectTables& tables_;
-    TextState own_text_;
-    TextState* text_ = &own_text_;
+    TextBounds own_text_;
+    TextBounds* text_ = &own_text_;
     std::string head_line_;                          // what without_head gives …
     std::string head_text_;                          // … of this line …
     std::uint64_t head_number_ = ~std::uint64_t{0};  // … and its number

@@ -71,7 +71,7 @@ struct Address {
 };
 
 /// What a code (`G1`) can begin.
-struct Code {
+struct CodeStart {
     FormId simple = kNoForm;             // the form that is this one word and needs no other
     Function function = Function::None;  // of `simple`, if it sets nothing else: for plain lines
     bool is_plain = false;               // nothing but `function` has to be looked at
@@ -334,7 +334,7 @@ struct DialectTables {
     bool has_comma_words = false;          // `,C`
     std::vector<std::vector<std::uint16_t>>
         code_index;  // [address][number·10] → index + 1 into `codes`
-    std::vector<Code> codes;
+    std::vector<CodeStart> codes;
     std::array<std::vector<FormId>, kFunctions> forms_of;
     std::vector<std::vector<FormId>> forms_of_cycle;
     std::array<AddressId, kSlots> slot_address{};         // that writes the slot; kNoAddress
@@ -365,7 +365,7 @@ struct DialectTables {
     /// Whether a word with this name is passed over, at least with some values.
     bool is_passed(std::string_view word) const;
     /// The code with this number (`54.1`), nullptr if the control has none.
-    const Code* find_code(AddressId address, double number) const {
+    const CodeStart* find_code(AddressId address, double number) const {
         const std::vector<std::uint16_t>& index = code_index[address];
         const double tenths = number * 10;
         if (!(tenths >= 0) || tenths >= static_cast<double>(index.size())) return nullptr;

@@ -41,7 +41,7 @@ constexpr Parameter parse_parameter(std::string_view text) {
     return parameter;
 }
 
-struct Row {
+struct FunctionRow {
     Function function;
     std::string_view name;
     Group group;
@@ -49,7 +49,7 @@ struct Row {
     std::string_view meaning;
 };
 
-constexpr std::array<Row, kFunctions> kRows = {{
+constexpr std::array<FunctionRow, kFunctions> kRows = {{
 #define KADR_FUNCTION(id, name, group, facts, parameters, meaning) \
     {Function::id, name, Group::group, parameters, meaning},
 #include "nc/vocabulary.def"
@@ -64,14 +64,14 @@ constexpr FactInfo kFactInfos[] = {
 
 constexpr std::size_t kParameters = [] {
     std::size_t count = 0;
-    for (const Row& row : kRows) count += count_parameters(row.parameters);
+    for (const FunctionRow& row : kRows) count += count_parameters(row.parameters);
     return count;
 }();
 
 constexpr std::array<Parameter, kParameters> kParameterTable = [] {
     std::array<Parameter, kParameters> table;
     std::size_t next = 0;
-    for (const Row& row : kRows) {
+    for (const FunctionRow& row : kRows) {
         std::string_view rest = row.parameters;
         while (!rest.empty()) {
             const std::size_t space = std::min(rest.find(' '), rest.size());
@@ -86,7 +86,7 @@ constexpr std::array<FunctionInfo, kFunctions> kTable = [] {
     std::array<FunctionInfo, kFunctions> table;
     std::size_t next = 0;
     for (std::size_t i = 0; i < kFunctions; ++i) {
-        const Row& row = kRows[i];
+        const FunctionRow& row = kRows[i];
         const std::size_t count = count_parameters(row.parameters);
         table[i] = {row.function, row.name, row.group,
                     std::span<const Parameter>(kParameterTable.data() + next, count), row.meaning};

@@ -69,7 +69,7 @@ void Command::become(Op op) {
         case Op::Tool: what_.emplace<ToolChange>(); return;
         case Op::ToolLength: what_.emplace<ToolLength>(); return;
         case Op::Coolant: what_.emplace<Coolant>(); return;
-        case Op::Function: what_.emplace<Function>(); return;
+        case Op::Function: what_.emplace<MFunction>(); return;
         case Op::Message: what_.emplace<Message>(); return;
         case Op::External: what_.emplace<External>(); return;
         case Op::Stop:

@@ -71,7 +71,7 @@ struct Coolant {
 };
 
 /// An M function.
-struct Function {
+struct MFunction {
     std::int64_t code = 0;  // M10 is 10
     FunctionStep step = FunctionStep::Both;
 
@@ -143,8 +143,8 @@ class Command {
     ToolLength& tool_length() { return read_as<ToolLength>(what_); }
     const Coolant& coolant() const { return read_as<Coolant>(what_); }
     Coolant& coolant() { return read_as<Coolant>(what_); }
-    const Function& function() const { return read_as<Function>(what_); }
-    Function& function() { return read_as<Function>(what_); }
+    const MFunction& function() const { return read_as<MFunction>(what_); }
+    MFunction& function() { return read_as<MFunction>(what_); }
     const Dwell& dwell() const { return read_as<Dwell>(what_); }
     Dwell& dwell() { return read_as<Dwell>(what_); }
     const Message& message() const { return read_as<Message>(what_); }
@@ -155,7 +155,7 @@ class Command {
   private:
     Op other_op() const;
 
-    std::variant<Motion, Spindle, SpeedLimit, ToolChange, ToolLength, Coolant, Function, Dwell,
+    std::variant<Motion, Spindle, SpeedLimit, ToolChange, ToolLength, Coolant, MFunction, Dwell,
                  Message, External, Mark>
         what_;
 };

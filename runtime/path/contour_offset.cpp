@@ -50,7 +50,7 @@ struct Slice {
     bool is_used = false;
 };
 
-struct Box {
+struct FlatBox {
     Rectangle rectangle;
     std::size_t index = 0;
 };
@@ -59,10 +59,10 @@ struct Box {
 template <typename IsOver>
 std::vector<std::pair<std::size_t, std::size_t>> near_pairs(const std::vector<Element>& elements,
                                                             double by, const IsOver& is_over) {
-    std::vector<Box> boxes;
+    std::vector<FlatBox> boxes;
     boxes.reserve(elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i) boxes.push_back({bounds(elements[i]), i});
-    std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) {
+    std::sort(boxes.begin(), boxes.end(), [](const FlatBox& a, const FlatBox& b) {
         return a.rectangle.lower.x() < b.rectangle.lower.x();
     });
     std::vector<std::pair<std::size_t, std::size_t>> pairs;

@@ -30,7 +30,7 @@ double interpolation_error(double u, const Vec3& miss, const Vec3& slope_miss) {
     return (level.norm() + slope.norm() * std::max(u, v)) / 16;
 }
 
-Range distance_range(const Cubic& cubic, const Vec3& center) {
+DistanceBounds distance_range(const Cubic& cubic, const Vec3& center) {
     // The square of the distance is a polynomial of degree six; the products of the control points
     // give its Bernstein coefficients, weighted C(3,i)·C(3,j)/C(6,i+j).
     static constexpr double kOfThree[4] = {1, 3, 3, 1};

@@ -42,11 +42,11 @@ double interpolation_error(double u, const Vec3& miss, const Vec3& slope_miss);
 
 /// Least and greatest of the distance from a point in the plane of the first two coordinates, as
 /// bounds: no point of the cubic is outside them. mm
-struct Range {
+struct DistanceBounds {
     double lower;
     double upper;
 };
-Range distance_range(const Cubic& cubic, const Vec3& center);
+DistanceBounds distance_range(const Cubic& cubic, const Vec3& center);
 
 /// Distance of a point from the straight line between two points, its ends included, mm.
 double distance_to_line(const Vec3& point, const Vec3& from, const Vec3& to);

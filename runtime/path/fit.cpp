@@ -60,8 +60,8 @@ constexpr double kAtEnd = 1e-9;
 Vec3 in_plane(const Vec2& point) { return {point.x(), point.y(), 0}; }
 
 /// Bounds of how far a cubic is along a direction from a point, mm.
-Range along(const Cubic& cubic, const Vec2& point, const Vec2& direction) {
-    Range range{0, 0};
+DistanceBounds along(const Cubic& cubic, const Vec2& point, const Vec2& direction) {
+    DistanceBounds range{0, 0};
     for (std::size_t i = 0; i < 4; ++i) {
         const double distance = (flat(cubic[i]) - point).dot(direction);
         if (i == 0 || distance < range.lower) range.lower = distance;
@@ -78,11 +78,11 @@ bool is_around(const Cubic& cubic, const Vec2& point, double limit) {
 /// Whether every point of a cubic is this close to the endless line or the whole circle.
 bool is_along(const Cubic& cubic, const Element& element, double limit) {
     if (element.is_arc()) {
-        const Range range = distance_range(cubic, in_plane(element.center));
+        const DistanceBounds range = distance_range(cubic, in_plane(element.center));
         const double r = radius(element);
         return range.lower >= r - limit && range.upper <= r + limit;
     }
-    const Range range = along(cubic, element.from, left_of(start_direction(element)));
+    const DistanceBounds range = along(cubic, element.from, left_of(start_direction(element)));
     return range.lower >= -limit && range.upper <= limit;
 }
 
@@ -193,9 +193,9 @@ bool CurveFit::is_bounded(const Candidate& candidate, const Cubic& cubic, double
     // beside it.
     const Element& first = candidate.elements[0];
     const Element& second = candidate.elements[1];
-    const Range start = along(cubic, first.from, start_direction(first));
-    const Range joint = along(cubic, first.to, end_direction(first));
-    const Range end = along(cubic, second.to, end_direction(second));
+    const DistanceBounds start = along(cubic, first.from, start_direction(first));
+    const DistanceBounds joint = along(cubic, first.to, end_direction(first));
+    const DistanceBounds end = along(cubic, second.to, end_direction(second));
     if (start.lower < -kAtEnd && !is_around(cubic, first.from, limit)) return false;
     if (end.upper > kAtEnd && !is_around(cubic, second.to, limit)) return false;
     if (joint.lower <= 0 && !is_along(cubic, first, limit)) return false;

@@ -38,7 +38,7 @@ Vec3 direction_at(const OrientLaw& orientation, const Curve& curve, double dista
         case OrientKind::Surface: {
             const Vec3 normal = turned(orientation, distance);
             if (orientation.lead_tilt.lead == 0 && orientation.lead_tilt.tilt == 0) return normal;
-            return leaning(normal, evaluate(curve, distance).tangent, orientation.lead_tilt);
+            return leant(normal, evaluate(curve, distance).tangent, orientation.lead_tilt);
         }
         case OrientKind::Point: return along_point(orientation, curve, distance);
     }
@@ -56,7 +56,7 @@ OrientLaw part_of(const OrientLaw& orientation, double from, double to) {
     return part;
 }
 
-Vec3 leaning(const Vec3& normal, const Vec3& tangent, const LeadTiltAngles& lead_tilt) {
+Vec3 leant(const Vec3& normal, const Vec3& tangent, const LeadTiltAngles& lead_tilt) {
     const Vec3 in_surface = tangent - tangent.dot(normal) * normal;
     const double length = in_surface.norm();
     if (length < kNoLength) return normal;

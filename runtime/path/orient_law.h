@@ -44,7 +44,7 @@ OrientLaw part_of(const OrientLaw& orientation, double from, double to);
 /// normal   unit vector
 /// tangent  unit vector; where it is along the normal, or zero, an inclined tool has no direction:
 ///          the answer is the normal
-Vec3 leaning(const Vec3& normal, const Vec3& tangent, const LeadTiltAngles& lead_tilt);
+Vec3 leant(const Vec3& normal, const Vec3& tangent, const LeadTiltAngles& lead_tilt);
 
 /// The angle between two vectors, rad, 0 … π; exact near both ends.
 double angle_between(const Vec3& a, const Vec3& b);

@@ -30,7 +30,7 @@ bool has_direction(const Block& block) { return block.find(Fact::ToolWord) != nu
 
 /// Whether the points of a helix are known so far that its turns can be shared out; reports it if
 /// not.
-[[nodiscard]] Done require_known_turns(const TextView& text, Messages& messages,
+[[nodiscard]] Done require_known_turns(const TextView& text, BlockMessages& messages,
                                        const Block& block) {
     const std::array<std::size_t, 3> axes = text.plane_axes();
     const WrittenPosition& start = text.modal.position;
@@ -107,7 +107,8 @@ Block frame_of(const ArcParts& parts, std::size_t part) {
 
 }  // namespace
 
-std::optional<ArcParts> parts_of_arc(const TextView& text, Messages& messages, const Block& block) {
+std::optional<ArcParts> parts_of_arc(const TextView& text, BlockMessages& messages,
+                                     const Block& block) {
     const std::optional<PlannedArc> arc = planned_arc(text, block);
     if (!arc) return std::nullopt;
     const auto& [start, end, text_start, text_end] = arc->points;
@@ -174,7 +175,8 @@ Block block_of(const ArcParts& parts, std::size_t part, const TextView& text) {
 
 // ---------------------------------------------------------------- turns of a helix
 
-std::optional<HelixTurns> turns_of(const TextView& text, Messages& messages, const Block& block) {
+std::optional<HelixTurns> turns_of(const TextView& text, BlockMessages& messages,
+                                   const Block& block) {
     if (!block.has(Slot::Turns) || text.has_address(Slot::Turns)) return std::nullopt;
     const Function motion = text.effective_motion(block);
     const double asked = block.at(Slot::Turns);

@@ -29,7 +29,8 @@ struct ArcParts {
 /// Arcs that rounding spoils are written in two or three parts: almost a full circle, where the
 /// direction from end to start is noise of the rounding, and almost half a turn, where a control
 /// that moves the centre moves it far. None: the block can be written as it is.
-std::optional<ArcParts> parts_of_arc(const TextView& text, Messages& messages, const Block& block);
+std::optional<ArcParts> parts_of_arc(const TextView& text, BlockMessages& messages,
+                                     const Block& block);
 
 /// The block of a part. What stops or ends the program comes behind the last part, other functions
 /// before the first; additional turns come first, as everywhere.
@@ -52,7 +53,8 @@ struct HelixTurns {
     double inverse_time = 0;   // of F, for a radian; holds if shares_time
 };
 /// None: the block has no turns, or the control has a word for them.
-std::optional<HelixTurns> turns_of(const TextView& text, Messages& messages, const Block& block);
+std::optional<HelixTurns> turns_of(const TextView& text, BlockMessages& messages,
+                                   const Block& block);
 
 /// turn  from 1
 Block circle_of(const HelixTurns& helix, int turn, const TextView& text);

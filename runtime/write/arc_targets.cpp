@@ -29,7 +29,7 @@ std::string length_in_words(const TextView& text, double length) {
 
 /// Controls refuse an arc whose end lies off the circle of its start (SINUMERIK 14040, MD21000 and
 /// MD21010; FANUC PS0020, No.3410): it is refused here already.
-void check_circle(const TextView& text, Messages& messages, const Block& block,
+void check_circle(const TextView& text, BlockMessages& messages, const Block& block,
                   const ArcPoints& arc, const PlanePoint& center) {
     if (is_on_circle(text, arc, center)) return;
     if (!messages.fails_first_time(block, "an arc off its circle")) return;
@@ -40,7 +40,7 @@ void check_circle(const TextView& text, Messages& messages, const Block& block,
         .arg(length_in_words(text, end));
 }
 
-void place_center_as_given(const TextView& text, Messages& messages, const Block& block,
+void place_center_as_given(const TextView& text, BlockMessages& messages, const Block& block,
                            const WrittenPosition& start, Targets& targets) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Slot slot = center_slot(axis);
@@ -67,7 +67,7 @@ void place_center_as_given(const TextView& text, Messages& messages, const Block
 
 /// Centre and end of an arc as coordinates, all of them: where a centre stays for the next arc, a
 /// word that is missing is not 0.
-void place_center_as_coordinates(const TextView& text, Messages& messages, const Block& block,
+void place_center_as_coordinates(const TextView& text, BlockMessages& messages, const Block& block,
                                  const WrittenPosition& start, const PlanePoint& center,
                                  Targets& targets) {
     const std::array<std::size_t, 3> axes = text.plane_axes();
@@ -88,7 +88,7 @@ void place_center_as_coordinates(const TextView& text, Messages& messages, const
     }
 }
 
-void place_center(const TextView& text, Messages& messages, const Block& block,
+void place_center(const TextView& text, BlockMessages& messages, const Block& block,
                   const WrittenPosition& start, Targets& targets) {
     const std::array<std::size_t, 3> axes = text.plane_axes();
     const SlotMask in_plane = bit(center_slot(axes[0])) | bit(center_slot(axes[1]));
@@ -167,7 +167,7 @@ void place_center(const TextView& text, Messages& messages, const Block& block,
 
 /// The centre of an arc by its radius follows from its start, and near half a turn the rounding of
 /// a word moves it by many times as much: from a start that nobody knows it may be anywhere.
-void unknown_start(Messages& messages, const Block& block) {
+void unknown_start(BlockMessages& messages, const Block& block) {
     if (!messages.fails_first_time(block, "an arc by radius from an unknown position")) return;
     messages.report(diag::ArcStartUnknown, block)
         .fix("say the start before it, `G0 X… Y…`, or the centre by `I` and `J`");
@@ -175,7 +175,7 @@ void unknown_start(Messages& messages, const Block& block) {
 
 /// A radius stays a radius where the control has the word and the rounded points still give the
 /// same centre; near half a turn they do not, and the centre is written instead.
-void place_radius(const TextView& text, Messages& messages, const Block& block,
+void place_radius(const TextView& text, BlockMessages& messages, const Block& block,
                   const WrittenPosition& start, Targets& targets) {
     const std::array<std::size_t, 3> axes = text.plane_axes();
     const double scale = text.to_text(static_cast<Slot>(axes[0]), 1);
@@ -251,13 +251,13 @@ void place_radius(const TextView& text, Messages& messages, const Block& block,
 
 }  // namespace
 
-void place_arc(const TextView& text, Messages& messages, const Block& block,
+void place_arc(const TextView& text, BlockMessages& messages, const Block& block,
                const WrittenPosition& start, Targets& targets) {
     if (block.has(Slot::Radius)) return place_radius(text, messages, block, start, targets);
     if ((block.given & kCenterSlots) != 0) place_center(text, messages, block, start, targets);
 }
 
-void place_arc_as_given(const TextView& text, Messages& messages, const Block& block,
+void place_arc_as_given(const TextView& text, BlockMessages& messages, const Block& block,
                         const WrittenPosition& start, Targets& targets) {
     if ((block.given & kCenterSlots) != 0)
         place_center_as_given(text, messages, block, start, targets);
@@ -269,7 +269,7 @@ void place_arc_as_given(const TextView& text, Messages& messages, const Block& b
         text.to_text(Slot::Radius, block.at(Slot::Radius));
 }
 
-void place_arc_feed(const TextView& text, Messages& messages, const Block& block,
+void place_arc_feed(const TextView& text, BlockMessages& messages, const Block& block,
                     const WrittenPosition& start, Targets& targets) {
     if (!text.modal.units.inverse_time || !text.feed_word.arc_by_radius) return;
     if (!is_chord_known(text, block, start))
@@ -277,7 +277,7 @@ void place_arc_feed(const TextView& text, Messages& messages, const Block& block
     targets.feed_factor = meant_arc(text, block, start).sweep;
 }
 
-void place_helix_feed(const TextView& text, Messages& messages, const Block& block,
+void place_helix_feed(const TextView& text, BlockMessages& messages, const Block& block,
                       const WrittenPosition& start, Targets& targets) {
     if (block.feed_along_arc == text.tables.rules.helix_feed_along_arc) return;
     if (text.modal.meant_of(Group::FeedMode) == Function::FeedInverseTime) return;

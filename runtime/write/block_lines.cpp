@@ -186,7 +186,7 @@ void BlockWriter::write_apart(const Block& block, const Items& items, const Line
 void BlockWriter::note_line(const std::vector<FormWord>& words) {
     for (const FormWord& word : words) {
         if (word.kind != FormWord::Kind::Fixed || word.is_quantity) continue;
-        const Code* code = tables_.find_code(word.address, word.number);
+        const CodeStart* code = tables_.find_code(word.address, word.number);
         if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
     }
 }
@@ -203,7 +203,7 @@ void BlockWriter::write_start_line(std::string_view line, std::string& out) {
         const AddressId address = tables_.find_address(word.substr(0, 1));
         if (address != kNoAddress && word.size() > 1) {
             const Decimal number = parse_decimal(word.data() + 1, word.data() + word.size());
-            const Code* code = tables_.find_code(address, number.value);
+            const CodeStart* code = tables_.find_code(address, number.value);
             if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
             if (shift != nullptr) state_.start_shift(*shift, address, number.value);
             if (shift == nullptr) shift = text_.kept_shift(address, number.value);

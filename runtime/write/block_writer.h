@@ -110,7 +110,7 @@ class BlockWriter {
     TextState state_;
     const TextView& text_ = state_.view();
     const WriterModal& modal_ = state_.modal();
-    Messages messages_;
+    BlockMessages messages_;
     Lines lines_;
     Words words_;
     FormChooser chooser_;

@@ -234,7 +234,7 @@ static bool say_call(DiagnosticBuilder& builder, const std::string& text,
 static void say_whose(DiagnosticBuilder& builder, double number, const DialectTables& tables,
                       FormId any) {
     const FormWord& word = tables.forms[any].words[0];
-    const Code* code = tables.find_code(word.address, number);
+    const CodeStart* code = tables.find_code(word.address, number);
     const std::string text = "M" + std::to_string(std::llround(number));
     if (say_call(builder, text, tables)) return;
     std::string file = "`extends=\"" + tables.name + "\"`";

@@ -41,7 +41,7 @@ struct Choice {
 
 class FormChooser {
   public:
-    FormChooser(TextState& state, Messages& messages, const WriteOptions& options)
+    FormChooser(TextState& state, BlockMessages& messages, const WriteOptions& options)
         : state_(state),
           text_(state.view()),
           modal_(state.modal()),
@@ -79,7 +79,7 @@ class FormChooser {
     const TextView& text_;
     const WriterModal& modal_;
     const DialectTables& tables_;
-    Messages& messages_;
+    BlockMessages& messages_;
     const WriteOptions& options_;
 };
 

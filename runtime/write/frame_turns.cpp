@@ -9,7 +9,7 @@
 
 namespace kadr::write {
 
-void check_turn(const TextView& text, Messages& messages, const Block& block) {
+void check_turn(const TextView& text, BlockMessages& messages, const Block& block) {
     const auto lever = [&](const TurnMiss& turn, std::size_t axes) {
         const std::array<std::size_t, 3> order = text.plane_axes();
         double square = 0;

@@ -9,6 +9,6 @@ namespace kadr::write {
 
 /// Reports, once for each frame, where its rounded angle takes the tool beside its position by more
 /// than the text's own rounding does. A rotation turns its plane, a tilted plane all of space.
-void check_turn(const TextView& text, Messages& messages, const Block& block);
+void check_turn(const TextView& text, BlockMessages& messages, const Block& block);
 
 }  // namespace kadr::write

@@ -16,7 +16,7 @@ namespace kadr::write {
 
 class IdleLines {
   public:
-    IdleLines(const Dialect& dialect, const TextView& text, Messages& messages)
+    IdleLines(const Dialect& dialect, const TextView& text, BlockMessages& messages)
         : dialect_(dialect), text_(text), messages_(messages) {}
 
     /// Whether the lines of the next block count.
@@ -40,7 +40,7 @@ class IdleLines {
 
     const Dialect& dialect_;
     const TextView& text_;
-    Messages& messages_;
+    BlockMessages& messages_;
     Now now_;
 };
 

@@ -17,7 +17,7 @@ struct LineRoom {
 };
 
 /// Whether a line takes an item beside those that it has.
-enum class Fit : std::uint8_t {
+enum class ItemFit : std::uint8_t {
     Fits,
     Waits,    // a control that takes one M a block gets the others in lines of their own
     Refused,  // in one line the control would raise an alarm or drop the first, and a line further
@@ -36,9 +36,9 @@ bool is_written(const Item& item, const FormWord& word) {
             (item.invocation->given >> word.parameter & 1u) != 0);
 }
 
-Fit fit_of(const DialectTables& tables, const Item& item, const LineRoom& room) {
+ItemFit fit_of(const DialectTables& tables, const Item& item, const LineRoom& room) {
     const std::vector<FormWord>* const words = counted_words(tables, item);
-    if (words == nullptr) return Fit::Fits;
+    if (words == nullptr) return ItemFit::Fits;
     const std::uint64_t groups = item.form != kNoForm ? tables.forms[item.form].excludes : 0;
     bool is_taken = (room.groups & groups) != 0;
     bool may_wait = !is_taken;
@@ -52,8 +52,8 @@ Fit fit_of(const DialectTables& tables, const Item& item, const LineRoom& room) 
         is_taken = true;
         may_wait &= address.kind == Address::Kind::Code;
     }
-    if (!is_taken) return Fit::Fits;
-    return may_wait ? Fit::Waits : Fit::Refused;
+    if (!is_taken) return ItemFit::Fits;
+    return may_wait ? ItemFit::Waits : ItemFit::Refused;
 }
 
 void count_words(const DialectTables& tables, const Item& item, LineRoom& room) {
@@ -81,7 +81,7 @@ bool takes_word(const DialectTables& tables, const Item& item, const Form& other
         (other.function == Function::RadiusOffset && group == Group::RadiusComp);
     const FormWord& head = form.words[0];
     if (is_its_offset || head.kind != FormWord::Kind::Fixed) return false;
-    const Code* code = tables.find_code(head.address, head.number);
+    const CodeStart* code = tables.find_code(head.address, head.number);
     if (code == nullptr) return false;
     return std::ranges::any_of(code->forms, [&](FormId id) {
         const std::vector<FormWord>& words = tables.forms[id].words;
@@ -117,8 +117,8 @@ void remove_given(const DialectTables& tables, const Deferred& deferred, Items& 
     items.count = static_cast<std::size_t>(end - items.list.begin());
 }
 
-LineChoices line_choices_of(const DialectTables& tables, Messages& messages, const Block& block,
-                            const Items& items) {
+LineChoices line_choices_of(const DialectTables& tables, BlockMessages& messages,
+                            const Block& block, const Items& items) {
     LineChoices choices{};
     LineRoom room;
     for (const Item& item : items.all()) {
@@ -135,12 +135,12 @@ LineChoices line_choices_of(const DialectTables& tables, Messages& messages, con
         for (std::size_t i = 0; i < items.count; ++i) {
             const Item& item = items.list[i];
             if (stops(item) != is_stop) continue;
-            const Fit fit = fit_of(tables, item, room);
-            if (fit == Fit::Waits) {
+            const ItemFit fit = fit_of(tables, item, room);
+            if (fit == ItemFit::Waits) {
                 choices[i] = moves && !is_stop ? LineChoice::Before : LineChoice::Behind;
                 continue;
             }
-            if (fit == Fit::Refused) {
+            if (fit == ItemFit::Refused) {
                 const std::string what =
                     item.form != kNoForm ? std::string(info(tables.forms[item.form].function).name)
                                          : "H or D";
@@ -154,7 +154,7 @@ LineChoices line_choices_of(const DialectTables& tables, Messages& messages, con
     return choices;
 }
 
-void check_takers(const DialectTables& tables, Messages& messages, const Block& block,
+void check_takers(const DialectTables& tables, BlockMessages& messages, const Block& block,
                   const Items& items) {
     for (const Item& item : items.all()) {
         if (item.form == kNoForm || item.invocation == nullptr) continue;

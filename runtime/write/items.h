@@ -62,12 +62,12 @@ using LineChoices = std::array<LineChoice, Items::kMost>;
 /// stop or an end behind it, anything else in front of a motion, since it acts before that.
 ///
 /// source       F 1.3, S 1.5
-LineChoices line_choices_of(const DialectTables& tables, Messages& messages, const Block& block,
-                            const Items& items);
+LineChoices line_choices_of(const DialectTables& tables, BlockMessages& messages,
+                            const Block& block, const Items& items);
 
 /// A number that belongs to one code of the line must not be read as another's: in `G54 G30 P3` the
 /// control would find an additional work offset, and the second reference point.
-void check_takers(const DialectTables& tables, Messages& messages, const Block& block,
+void check_takers(const DialectTables& tables, BlockMessages& messages, const Block& block,
                   const Items& items);
 
 }  // namespace kadr::write

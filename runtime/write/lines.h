@@ -20,7 +20,7 @@ inline void blank(std::string& out) {
 class Lines {
   public:
     /// is_numbered  whether blocks get the numbers that the dialect gives
-    Lines(const DialectTables& tables, bool is_numbered, Messages& messages)
+    Lines(const DialectTables& tables, bool is_numbered, BlockMessages& messages)
         : tables_(tables), is_numbered_(is_numbered), messages_(messages) {}
 
     /// greatest_number  that a block of the program brings; those that are counted lie above
@@ -50,7 +50,7 @@ class Lines {
 
     const DialectTables& tables_;
     const bool is_numbered_;
-    Messages& messages_;
+    BlockMessages& messages_;
     std::uint32_t count_ = 0;
     std::size_t start_ = 0;
     std::int64_t number_ = 0;         // of the next line

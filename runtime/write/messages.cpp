@@ -6,13 +6,13 @@
 
 namespace kadr::write {
 
-SourceRange Messages::location(SourceId source) const {
+SourceRange BlockMessages::location(SourceId source) const {
     return source.index < statements_.size() ? statements_[source.index] : SourceRange{};
 }
 
 /// The word of the statement that sets the address: `Z+=10`, `Z=h`, `Z5`. The statement, if no such
 /// word stands in it.
-SourceRange Messages::word_location(const Block& block, std::string_view address) const {
+SourceRange BlockMessages::word_location(const Block& block, std::string_view address) const {
     SourceRange statement = location(block);
     if (sources_ == nullptr || !statement.file.is_valid()) return statement;
     const std::string_view text = sources_->text(statement);
@@ -52,19 +52,19 @@ SourceRange Messages::word_location(const Block& block, std::string_view address
 }
 
 /// The writing failed; whether the statement has not reported this yet: a loop reports once.
-bool Messages::fails_first_time(const Block& block, std::string_view what) {
+bool BlockMessages::fails_first_time(const Block& block, std::string_view what) {
     failed_ = true;
     return first_time(block, what);
 }
 
 /// Whether the statement has not had this reported yet.
-bool Messages::first_time(const Block& block, std::string_view what) {
+bool BlockMessages::first_time(const Block& block, std::string_view what) {
     const std::uint64_t key =
         std::hash<std::string_view>()(what) ^ (std::uint64_t{block.source.index} << 32);
     return reported_.insert(key).second;
 }
 
-void Messages::position_unknown(const Block& block, std::string_view name, SlotMask axes) {
+void BlockMessages::position_unknown(const Block& block, std::string_view name, SlotMask axes) {
     if (!fails_first_time(block, name)) return;
     std::string names;
     std::string words;
@@ -84,13 +84,13 @@ void Messages::position_unknown(const Block& block, std::string_view name, SlotM
     builder.fix("say where it is in a block before it: `G0" + words + '`');
 }
 
-void Messages::cannot_express(const Block& block, const std::string& what) {
+void BlockMessages::cannot_express(const Block& block, const std::string& what) {
     if (!fails_first_time(block, what)) return;
     sink_.report(diag::CannotExpress, location(block)).arg(tables_.name).arg(what);
 }
 
-void Messages::number_fault(const Block& block, NumberFault fault, double value,
-                            Dimension dimension, std::string_view name) {
+void BlockMessages::number_fault(const Block& block, NumberFault fault, double value,
+                                 Dimension dimension, std::string_view name) {
     if (!fails_first_time(block, name)) return;
     const std::string quantity = quantity_words(value, dimension, units_);
     switch (fault) {
@@ -113,13 +113,13 @@ void Messages::number_fault(const Block& block, NumberFault fault, double value,
     }
 }
 
-void Messages::line_too_long(std::size_t length) {
+void BlockMessages::line_too_long(std::size_t length) {
     failed_ = true;
     if (!reported_.insert(length).second) return;
     sink_.report(diag::LineTooLong).arg(length).arg(tables_.name).arg(tables_.notation.write_line);
 }
 
-bool Messages::first_time_of_frame(SourceId statement) {
+bool BlockMessages::first_time_of_frame(SourceId statement) {
     return reported_.insert(~std::uint64_t{statement.index}).second;
 }
 

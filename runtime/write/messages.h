@@ -11,10 +11,10 @@
 
 namespace kadr::write {
 
-class Messages {
+class BlockMessages {
   public:
     /// units  of the text, as they are when a message names a value
-    Messages(const DialectTables& tables, const TextUnits& units, DiagnosticSink& sink)
+    BlockMessages(const DialectTables& tables, const TextUnits& units, DiagnosticSink& sink)
         : tables_(tables), units_(units), sink_(sink) {}
 
     void set_statements(std::span<const SourceRange> statements, const Sources* sources) {

@@ -51,7 +51,7 @@ using nc::Address;
 using nc::AddressId;
 using nc::ArcError;
 using nc::BlockNumbers;
-using nc::Code;
+using nc::CodeStart;
 using nc::Constraint;
 using nc::Deferred;
 using nc::Dialect;

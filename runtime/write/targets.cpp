@@ -9,7 +9,7 @@ namespace kadr::write {
 namespace {
 
 /// Where machine coordinates count, no known position turns a distance into a coordinate.
-void place_machine_target(const TextView& text, Messages& messages, const Block& block,
+void place_machine_target(const TextView& text, BlockMessages& messages, const Block& block,
                           std::size_t axis, Targets& targets) {
     const SlotMask mask = bit(static_cast<Slot>(axis));
     const bool by_itself = ((block.incremental | block.absolute) & mask) != 0;
@@ -25,7 +25,7 @@ void place_machine_target(const TextView& text, Messages& messages, const Block&
     }
 }
 
-void place_target(TextState& state, Messages& messages, const Block& block, std::size_t axis,
+void place_target(TextState& state, BlockMessages& messages, const Block& block, std::size_t axis,
                   Targets& targets) {
     const TextView& view = state.view();
     const auto slot = static_cast<Slot>(axis);
@@ -75,7 +75,8 @@ void place_target(TextState& state, Messages& messages, const Block& block, std:
 
 }  // namespace
 
-void place_targets(TextState& state, Messages& messages, const Block& block, Targets& targets) {
+void place_targets(TextState& state, BlockMessages& messages, const Block& block,
+                   Targets& targets) {
     targets.needs_incremental = state.view().needs_incremental(block);
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
         if (block.has(static_cast<Slot>(axis))) place_target(state, messages, block, axis, targets);
@@ -97,7 +98,7 @@ void drop_unchanged(const TextView& text, const Block& block, const WrittenPosit
     if (unchanged != targets.written) targets.written &= ~unchanged;
 }
 
-void place_axes_feed(const TextView& text, Messages& messages, const Block& block,
+void place_axes_feed(const TextView& text, BlockMessages& messages, const Block& block,
                      const WrittenPosition& start, Targets& targets) {
     constexpr SlotMask kFollowers = kTargetSlots & ~SlotMask{kLinearXYZ};
     if (block.feed_of_all_axes == text.tables.rules.feed_of_all_axes ||

@@ -20,7 +20,7 @@ struct Targets {
 };
 
 /// The words of the axes; the text's position goes there with them.
-void place_targets(TextState& state, Messages& messages, const Block& block, Targets& targets);
+void place_targets(TextState& state, BlockMessages& messages, const Block& block, Targets& targets);
 
 /// Words of axes that stay where they are need not be written, as long as one moves.
 void drop_unchanged(const TextView& text, const Block& block, const WrittenPosition& start,
@@ -28,7 +28,7 @@ void drop_unchanged(const TextView& text, const Block& block, const WrittenPosit
 
 /// The axes of a straight block shall be as fast as the program means it, where program and control
 /// count different ones: X, Y and Z, or all of them, of which a degree is a unit of length.
-void place_axes_feed(const TextView& text, Messages& messages, const Block& block,
+void place_axes_feed(const TextView& text, BlockMessages& messages, const Block& block,
                      const WrittenPosition& start, Targets& targets);
 
 }  // namespace kadr::write

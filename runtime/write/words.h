@@ -18,7 +18,7 @@ namespace kadr::write {
 
 class Words {
   public:
-    Words(TextState& state, Messages& messages)
+    Words(TextState& state, BlockMessages& messages)
         : state_(state),
           text_(state.view()),
           modal_(state.modal()),
@@ -59,7 +59,7 @@ class Words {
     const TextView& text_;
     const WriterModal& modal_;
     const DialectTables& tables_;
-    Messages& messages_;
+    BlockMessages& messages_;
     double held_offset_ = 0;
 };
 

@@ -127,17 +127,17 @@ Contour random_contour(unsigned seed, Turns turns) {
     };
     const Vec3 in = line(heading);
     const Vec3 out = line(heading + turn);
-    const auto leaning = [&](double most) {
+    const auto leant = [&](double most) {
         return Vec3(between(-most, most), between(-most, most), 1).normalized();
     };
-    const Vec3 corner = leaning(0.15);
+    const Vec3 corner = leant(0.15);
     const auto along = [&](const Vec3& delta) {
         return Vec3(corner + between(-0.3, 0.3) * delta).normalized();
     };
     Vec3 first = corner;
     Vec3 last = corner;
-    if (turns == Turns::First) first = leaning(0.3);
-    if (turns == Turns::Second) last = leaning(0.3);
+    if (turns == Turns::First) first = leant(0.3);
+    if (turns == Turns::Second) last = leant(0.3);
     if (turns == Turns::Both) {
         first = along(in);
         last = along(out);

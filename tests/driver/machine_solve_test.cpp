@@ -117,9 +117,9 @@ TEST_F(MachineSolve, FourAxesAndAParallelOne) {
     // 100 in front of the table's axis, turned back by 30 about Y.
     EXPECT_NEAR(found["choice"]["axes"]["X"].get<double>(), 500 - 50, 1e-6);
     EXPECT_NEAR(found["choice"]["axes"]["Z"].get<double>(), -800 + 86.602540378, 1e-6);
-    const ProcessResult leaning = solve({"borer", "--tool", "0,0.5,0.866025"});
-    EXPECT_EQ(leaning.status, 1);
-    EXPECT_NE(leaning.err.find("K6279"), std::string::npos) << leaning.err;
+    const ProcessResult leant = solve({"borer", "--tool", "0,0.5,0.866025"});
+    EXPECT_EQ(leant.status, 1);
+    EXPECT_NE(leant.err.find("K6279"), std::string::npos) << leant.err;
 }
 
 TEST_F(MachineSolve, WrongWords) {

@@ -71,7 +71,7 @@ TEST_F(Plot, ToolsAreDrawnAlongThePathInEveryView) {
     EXPECT_EQ(without.find("isometric"), std::string::npos);
     std::vector<PlotTool> tools;
     for (int i = 0; i <= 1000; ++i) tools.push_back({{0.1 * i, 0, 0}, Vec3(0, 0.6, 0.8)});
-    const Layout layout = lay_out(scene_, tools);
+    const PlotLayout layout = lay_out(scene_, tools);
     ASSERT_EQ(layout.views.size(), 4u);
     // The tool is drawn 12 % of 100 mm long: the views have room for its end.
     EXPECT_GE(layout.shown.upper.z(), 20);
@@ -146,7 +146,7 @@ TEST_F(Plot, ManyShadesAreGrouped) {
 TEST_F(Plot, ViewsHaveOneScaleAndLineUp) {
     rapid({0, 0, 5});
     line({100, 60, -10}, 100);
-    const Layout layout = lay_out(scene_);
+    const PlotLayout layout = lay_out(scene_);
     ASSERT_EQ(layout.views.size(), 3u);
     const View& plan = layout.views[0];
     const View& front = layout.views[1];
@@ -162,7 +162,7 @@ TEST_F(Plot, TurnedPartLiesInTheChuck) {
     rapid({30, 0, 2});
     line({30, 0, -70}, 200);
     line({32, 0, -70}, 200);
-    const Layout layout = lay_out(scene_);
+    const PlotLayout layout = lay_out(scene_);
     ASSERT_EQ(layout.views.size(), 1u);
     EXPECT_EQ(layout.views[0].name, "Z-X");
     // On a lathe X is read off as the control shows it.

@@ -174,8 +174,8 @@ TEST(ToolCourses, LeansFollowTheOracleInBothReadings) {
                                                  rad_from_deg(in["TILT"].get<double>()), about};
             const char* const name = about == path::TiltAbout::Normal ? "vector_tilt_about_normal"
                                                                       : "vector_tilt_about_tangent";
-            const Vec3 tool = path::leaning(vec(in["normal"]).normalized(),
-                                            vec(in["tangent"]).normalized(), lead_tilt);
+            const Vec3 tool = path::leant(vec(in["normal"]).normalized(),
+                                          vec(in["tangent"]).normalized(), lead_tilt);
             EXPECT_LT((tool - vec(one["expect"][name])).norm(), kOracle) << one["id"];
         }
     }
@@ -349,8 +349,8 @@ TEST(ToolCourses, ThetaCountsFromWhatItsModeSays) {
     EXPECT_LT((across_of(plane.at(0)) - Eigen::AngleAxisd(theta, tool) * along).norm(), 1e-9);
     // From the direction of travel.
     const auto path = courses("ORIROTC\nG1 X10 A3=0 B3=1 C3=1 THETA=30 F1000", true);
-    const Vec3 leaning = Vec3(0, 1, 1).normalized();
-    EXPECT_LT((across_of(path.at(0)) - Eigen::AngleAxisd(theta, leaning) * Vec3::UnitX()).norm(),
+    const Vec3 leant = Vec3(0, 1, 1).normalized();
+    EXPECT_LT((across_of(path.at(0)) - Eigen::AngleAxisd(theta, leant) * Vec3::UnitX()).norm(),
               1e-9);
     const auto by = courses("G1 X10 THETA=30 F1000\nX20 THETA=IC(15)", true);
     EXPECT_NEAR(by.at(1).motion().to[index(Axis::B)] - by.at(0).motion().to[index(Axis::B)], 15,

@@ -26,16 +26,16 @@ TEST(Smoothing, CommandsCarryWhatIsAskedForBehindThem) {
     });
     EXPECT_EQ(ran.codes(), "");
     const machine::Machine machine = mill();
-    const double leaning = machine.orientation_tolerance;
+    const double leant = machine.orientation_tolerance;
     const std::vector<Blending> expected = {
         none,
         {BlendKind::Distance, false, 0},
         {BlendKind::Distance, false, 0.5},
         {BlendKind::Distance, false, 2},
-        {BlendKind::Tolerance, false, machine.corner_tolerance, leaning},
-        {BlendKind::Tolerance, false, 0.02, leaning},
-        {BlendKind::Tolerance, true, 0.02, leaning},
-        {BlendKind::Tolerance, true, machine.corner_tolerance, leaning},
+        {BlendKind::Tolerance, false, machine.corner_tolerance, leant},
+        {BlendKind::Tolerance, false, 0.02, leant},
+        {BlendKind::Tolerance, true, 0.02, leant},
+        {BlendKind::Tolerance, true, machine.corner_tolerance, leant},
         none,
         {BlendKind::Distance, false, 0.5},
         none,
@@ -54,11 +54,11 @@ TEST(Smoothing, HowFarTheToolMayLeanIsSaidInDegrees) {
         fn(Function::OrientTolerance, {{0, -1}}).x(3),
     });
     EXPECT_EQ(ran.codes(), "");
-    const double leaning = mill().orientation_tolerance;
+    const double leant = mill().orientation_tolerance;
     ASSERT_EQ(ran.commands.size(), 3u);
-    EXPECT_EQ(ran.commands[0].motion().blending.orientation, leaning);
+    EXPECT_EQ(ran.commands[0].motion().blending.orientation, leant);
     EXPECT_NEAR(ran.commands[1].motion().blending.orientation, rad_from_deg(0.5), 1e-15);
-    EXPECT_EQ(ran.commands[2].motion().blending.orientation, leaning);
+    EXPECT_EQ(ran.commands[2].motion().blending.orientation, leant);
 }
 
 /// S 10.4 CYCLE832: a kind whose tens are 1 says how far the tool may lean; kind 0 ends all of it.
@@ -74,15 +74,15 @@ TEST(Smoothing, ACycleSaysAllOfIt) {
         fn(Function::BlendTolerance).x(7),
     });
     EXPECT_EQ(ran.codes(), "");
-    const double leaning = machine.orientation_tolerance;
+    const double leant = machine.orientation_tolerance;
     const std::vector<Blending> blendings = {
         {},
         {BlendKind::Tolerance, true, 0.02, rad_from_deg(0.5)},
-        {BlendKind::Tolerance, true, 0.1, leaning},
+        {BlendKind::Tolerance, true, 0.1, leant},
         {},
-        {BlendKind::Tolerance, true, 0.05, leaning},
+        {BlendKind::Tolerance, true, 0.05, leant},
         {},
-        {BlendKind::Tolerance, false, machine.corner_tolerance, leaning},
+        {BlendKind::Tolerance, false, machine.corner_tolerance, leant},
     };
     const std::vector<double> compressed = {0, 0.02, 0.1, 0, 0.05, 0, 0};
     ASSERT_EQ(ran.commands.size(), blendings.size());

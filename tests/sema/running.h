@@ -31,7 +31,7 @@ struct Outcome {
     std::vector<std::string> messages;  // "3:5 K2001"
     std::vector<std::string> texts;     // the wording of each
     std::vector<std::string> notes;     // "2:1 it is declared here", of all messages in order
-    std::vector<expand::Trace> traces;
+    std::vector<expand::BlockOrigin> traces;
     std::string code;  // printed, if it was checked without errors
 
     std::string all_blocks() const;  // one a line

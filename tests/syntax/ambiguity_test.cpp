@@ -27,7 +27,7 @@ int ambiguities(const std::string& text) {
     std::vector<std::string> texts{""};
     std::vector<Comment> comments;
     Interner interner(texts);
-    const Lines lines(text);
+    const LineStarts lines(text);
     const SourceFile file{FileId{0}, text, limit, interner, lines};
     const SourceHeader header = scan_header(text);
     const KeywordTable& table = keywords(header.language.empty() ? "en" : header.language);
