@@ -63,9 +63,12 @@ SmoothApproaches::SmoothApproaches(Channel& channel)
 /// was reported.
 std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& block,
                                                                const Actions& actions) {
-    if (frames_.is_plane_tilted(modal_.plane)) {
+    // Its path would be laid without the tool, which the transformation holds or turns along it.
+    const bool is_transformed = channel_.state.tool.orienting.is_on;
+    if (is_transformed || frames_.is_plane_tilted(modal_.plane)) {
         reporter_.report(diag::IsoNotSupported, block)
-            .arg("a smooth approach or retraction in a tilted plane");
+            .arg(is_transformed ? "a smooth approach or retraction under the transformation"
+                                : "a smooth approach or retraction in a tilted plane");
         return std::nullopt;
     }
     ApproachMove move;

@@ -284,7 +284,10 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& co
     path::Curve curve = path::Point{start};
     if (shape.degree > 3) curve = path::make_quintic(start, end, shape);
     else curve = path::make_spline(start, end, shape);
-    if (!channel_.checks.require_box_within_limits(at, path::bounds(curve))) return;
+    const path::Box box = path::bounds(curve);
+    if (!channel_.checks.require_box_within_limits(at, box)) return;
+    // The tip stands, the tool or other axes turn: no curve has a direction of travel there.
+    const bool stands = box.lower == box.upper && !is_in_spline();
     AxisValues to = control_point.to;
     for (std::size_t i = 0; i < 3; ++i) to[i] = end[static_cast<Eigen::Index>(i)];
     OrientPlan orientation;
@@ -295,14 +298,14 @@ void Splines::put_span(const path::SplineSpan& span, const ControlPointBlock& co
     if (!is_laid) return;
     position_.note_motion();
     const bool turns = orientation.orient_kind != path::OrientKind::Axes;
-    Command& command = channel_.stages.put(Op::Spline, at, &orientation);
+    Command& command = channel_.stages.put(stands ? Op::Line : Op::Spline, at, &orientation);
     if (is_in_spline()) as_programmed(command);
     path::Motion& motion = command.motion();
     motion.to = to;
     motion.moved =
         turns ? static_cast<AxisMask>(moved | kLinearXYZ | channel_.transformation.joint_axes())
               : moved;
-    motion.spline() = shape;
+    if (!stands) motion.spline() = shape;
     motion.feed = control_point.feed;
     motion.exact_stop = exact_stop;
 }
