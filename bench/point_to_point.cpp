@@ -20,7 +20,7 @@ class OneRapid final : public Stream<path::Command> {
     explicit OneRapid(const bench::Transfer& transfer) {
         command_.become(path::Op::Rapid);
         command_.motion().moved = kLinearXYZ;
-        std::copy(transfer.way.begin(), transfer.way.end(), command_.motion().to.begin());
+        std::copy(transfer.delta.begin(), transfer.delta.end(), command_.motion().to.begin());
     }
     std::size_t pull(std::span<path::Command> out) override {
         if (is_over_ || out.empty()) return 0;

@@ -151,7 +151,7 @@ std::unique_ptr<Checked> check(std::string_view source) {
     return checked;
 }
 
-expand::Limits small_limits() {
+expand::RunLimits small_limits() {
     return {.call_depth = 200, .loop_turns = 5000, .blocks = 500, .array_elements = 5000};
 }
 
@@ -161,7 +161,7 @@ void execute(const nc::Dialect& dialect, std::string_view text) {
     macro::ProgramOptions program_options;
     program_options.max_turns = 2000;
     program_options.max_repeated = kExecutedBlocks;
-    macro::Program program(dialect, pieces, "fuzz", program_options, messages);
+    macro::NcProgram program(dialect, pieces, "fuzz", program_options, messages);
     interp::InterpreterOptions options;
     options.max_blocks = kExecutedBlocks;
     const machine::Machine& machine = world().machine_for(dialect);

@@ -65,7 +65,7 @@ std::unique_ptr<Checked> parse(std::string_view source);
 std::unique_ptr<Checked> check(std::string_view source);
 
 /// Limits that end a program after a few milliseconds.
-expand::Limits small_limits();
+expand::RunLimits small_limits();
 
 /// Reads ISO-7bit text in pieces that cut lines anywhere, interprets, plans and samples a little of
 /// it.
