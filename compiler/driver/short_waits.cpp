@@ -8,7 +8,7 @@ namespace {
 
 /// Ticks that are shown at each end of a wait: derivatives die out, and what comes begins from
 /// rest.
-constexpr double kTold = 16;
+constexpr double kReported = 16;
 
 /// Whether nothing changes while it lasts.
 bool is_standstill(const motion::Segment& segment) {
@@ -20,13 +20,13 @@ bool is_standstill(const motion::Segment& segment) {
 void ShortWaits::shorten(motion::Segment& segment) {
     segment.start_time -= missing_;
     if (!is_standstill(segment)) return;
-    const double ticks = std::floor(segment.duration / tick_) - 2 * kTold;
+    const double ticks = std::floor(segment.duration / tick_) - 2 * kReported;
     if (!(ticks > 0)) return;
     // Whole ticks, so that those behind stand where they would.
     segment.duration -= ticks * tick_;
     missing_ += ticks * tick_;
     const std::lock_guard lock(mutex_);
-    cuts_.push_back({segment.start_time + kTold * tick_, missing_});
+    cuts_.push_back({segment.start_time + kReported * tick_, missing_});
 }
 
 std::size_t ShortWaits::pull(std::span<motion::Segment> out) {

@@ -122,12 +122,12 @@ Done Expander::State::take_position(Block& block, const sema::Plan& plan, std::u
 
 Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation& invocation,
                                        std::uint32_t at) {
-    using SaidFor = std::pair<std::size_t, std::string_view>;
-    constexpr std::array kSaidFor = {
-        SaidFor{nc::parameter_of<Function::CycleWords>("stroke"), "peck"},
-        SaidFor{nc::parameter_of<Function::CycleWords>("dwell"), "dwell"}};
-    for (const auto& [text, name] : kSaidFor) {
-        if (!invocation.has(text)) continue;
+    using GivenAs = std::pair<std::size_t, std::string_view>;
+    constexpr std::array kGivenAs = {
+        GivenAs{nc::parameter_of<Function::CycleWords>("stroke"), "peck"},
+        GivenAs{nc::parameter_of<Function::CycleWords>("dwell"), "dwell"}};
+    for (const auto& [given, name] : kGivenAs) {
+        if (!invocation.has(given)) continue;
         const auto word = std::ranges::find(kHeldWords, name, &HeldWord::parameter);
         const bool is_place =
             active_cycle.is_active && active_cycle.source->kind == SourceCycle::Kind::Modal;
@@ -135,7 +135,7 @@ Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
             fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
             return kFailed;
         }
-        const double value = block.argument(invocation, text);
+        const double value = block.argument(invocation, given);
         const auto parameter =
             find_parameter(code.functions[active_cycle.source->function].parameters, name);
         // A cycle without such a word keeps it for the next one.

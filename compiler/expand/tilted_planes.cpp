@@ -46,23 +46,23 @@ constexpr double kNoAngle = 1e-9;
 double neat_angle(double angle_deg) { return std::fabs(angle_deg) < kNoAngle ? 0 : angle_deg; }
 
 /// The programmed motion. Rotary axes go to a plane at rapid, whatever it is.
-struct SaidMotion {
+struct ModalMotion {
     Function member;
     SourceId by;
     bool is_lost;
 };
 
-SaidMotion said_motion(const ModalState& modal) {
+ModalMotion modal_motion(const ModalState& modal) {
     constexpr auto kMotion = static_cast<std::size_t>(Group::Motion);
     return {modal[Group::Motion], modal.changed_by[kMotion],
             (modal.lost & sema::group_bit(Group::Motion)) != 0};
 }
 
 /// Behind a block at rapid: the next move writes what is programmed, or must write it itself.
-void keep_motion(ModalState& modal, const SaidMotion& said) {
-    modal.assume(Group::Motion, said.member, said.by);
-    if (said.is_lost) modal.lost |= sema::group_bit(Group::Motion);
-    else if (said.member != Function::Rapid) modal.restate_motion = true;
+void keep_motion(ModalState& modal, const ModalMotion& motion) {
+    modal.assume(Group::Motion, motion.member, motion.by);
+    if (motion.is_lost) modal.lost |= sema::group_bit(Group::Motion);
+    else if (motion.member != Function::Rapid) modal.restate_motion = true;
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId so
     for (std::size_t i = 0; i < 3; ++i)
         said[kAngles + i].value = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
     // `G53.1` turns them as the modal motion is, and stands next to the plane. F 4.8 G53.1.
-    const SaidMotion motion = said_motion(modal);
+    const ModalMotion motion = modal_motion(modal);
     if (!require_room(at)) return kFailed;
     Block& block = next_block(source);
     block.motion = Function::Rapid;
@@ -249,7 +249,7 @@ Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints
         block.set(slot, neat(neat_angle(deg_from_rad(joints[static_cast<Eigen::Index>(k)]))));
         if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
     }
-    const SaidMotion motion = said_motion(modal);
+    const ModalMotion motion = modal_motion(modal);
     modal.take_block(block, target.rules());
     keep_motion(modal, motion);
     if (options.trace) keep_trace(at, depth, source);

@@ -46,8 +46,8 @@ std::string without_lines(std::string_view message) {
 /// What a person reads of the messages of one evaluation.
 class Hearing {
   public:
-    Hearing(ReplayOutcome& outcome, std::vector<std::string> words)
-        : outcome_(outcome), messages_(std::move(words)) {}
+    Hearing(ReplayOutcome& outcome, std::vector<std::string> reported_before)
+        : outcome_(outcome), messages_(std::move(reported_before)) {}
 
     void take(std::string_view rendered) {
         const std::string text(rendered);
@@ -206,9 +206,9 @@ void execute(driver::Execution& execution, ReplayOutcome& outcome, LineKeeper& k
 }  // namespace
 
 ReplayOutcome replay(const driver::Options& options, const driver::Share& share,
-                     const ReplayRequest& request, std::vector<std::string> words) {
+                     const ReplayRequest& request, std::vector<std::string> reported_before) {
     ReplayOutcome outcome;
-    Hearing hearing(outcome, std::move(words));
+    Hearing hearing(outcome, std::move(reported_before));
     Sources sources;
     driver::Messages messages(sources, {}, [&](std::string_view text) { hearing.take(text); });
     driver::Options chosen = options;

@@ -53,6 +53,6 @@ inline constexpr std::size_t kLastLines = 5;
 /// Evaluates the whole program. Nothing of it outlives the call but the outcome. What has been
 /// `text` of it before is not shown again.
 ReplayOutcome replay(const driver::Options& options, const driver::Share& share,
-                     const ReplayRequest& request, std::vector<std::string> text);
+                     const ReplayRequest& request, std::vector<std::string> reported_before);
 
 }  // namespace kadr::repl

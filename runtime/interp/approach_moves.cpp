@@ -54,6 +54,7 @@ SmoothApproaches::SmoothApproaches(Channel& channel)
       frames_(channel.state.frame.frames),
       tool_(channel.state.tool.tool),
       comp_(channel.state.stage.comp),
+      orienting_(channel.state.tool.orienting),
       approach_choice_(channel.state.stage.approach_choice),
       smooth_approach_(channel.state.stage.smooth_approach),
       approached_(channel.state.stage.approached),
@@ -64,7 +65,7 @@ SmoothApproaches::SmoothApproaches(Channel& channel)
 std::optional<ApproachMove> SmoothApproaches::approach_move_of(const Block& block,
                                                                const Actions& actions) {
     // Its path would be laid without the tool, which the transformation holds or turns along it.
-    const bool is_transformed = channel_.state.tool.orienting.is_on;
+    const bool is_transformed = orienting_.is_on;
     if (is_transformed || frames_.is_plane_tilted(modal_.plane)) {
         reporter_.report(diag::IsoNotSupported, block)
             .arg(is_transformed ? "a smooth approach or retraction under the transformation"

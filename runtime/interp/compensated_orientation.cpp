@@ -24,7 +24,7 @@ namespace {
 /// Directions that differ by the rounding of words and of rotary axes, rad.
 constexpr double kSameTool = 1e-7;
 /// Distances shorter than this are none: rounding of frames, mm.
-constexpr double kNoWay = 1e-9;
+constexpr double kNoDistance = 1e-9;
 
 bool is_same(const Vec3& a, const Vec3& b) { return (a - b).norm() < kSameTool; }
 
@@ -41,7 +41,8 @@ ToolEnds ends_of(const path::Motion& motion, const path::Curve& curve, const Vec
         return {angle == 0 ? motion.direction : back * motion.direction, motion.direction};
     }
     const double length = path::length(curve);
-    const path::OrientLaw orientation = orient_law_of(motion, now, length > kNoWay ? length : 1);
+    const path::OrientLaw orientation =
+        orient_law_of(motion, now, length > kNoDistance ? length : 1);
     return {path::direction_at(orientation, curve, 0),
             path::direction_at(orientation, curve, orientation.length)};
 }

@@ -32,7 +32,6 @@ namespace kadr::interp {
 using machine::Chain;
 using nc::Block;
 using nc::Function;
-using path::Command;
 using path::linear;
 using path::Op;
 using path::OrientKind;

@@ -44,6 +44,7 @@ class SmoothApproaches {
     const control::Frames& frames_;
     const Tool& tool_;
     const RadiusCompState& comp_;
+    const Orienting& orienting_;
     const ApproachChoice& approach_choice_;
     SmoothApproach& smooth_approach_;
     std::optional<Approached>& approached_;

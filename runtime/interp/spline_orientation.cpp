@@ -6,7 +6,6 @@
 // points are control points themselves, and at the end of every span the tool has the direction of
 // their spline.
 #include <bit>
-#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -94,6 +93,7 @@ Done ToolMotion::orient_along(const Block& at, const ControlPointBlock& control_
     }
     return kDone;
 }
+
 Done ToolMotion::share_orientation(const Block& block, const ToolWords& tool,
                                    const std::vector<double>& shares,
                                    const std::vector<ControlPointBlock*>& pieces) {

@@ -1,14 +1,8 @@
 // tool_orientation.cpp — the orientation of the tool from motion to motion: the plan of a block
 // (orient_planner.h), what its end means to the blocks behind it, and what its command has of it.
-#include <cmath>
-#include <numbers>
-#include <utility>
-
 #include <Eigen/Geometry>
 
 #include "base/diagnostics/iso.h"
-#include "base/diagnostics/machine.h"
-#include "base/numbers.h"
 #include "base/units.h"
 #include "interp/channel.h"
 #include "interp/motion_checks.h"
@@ -18,17 +12,13 @@
 #include "interp/stages.h"
 #include "interp/tool_motion.h"
 #include "interp/transformation.h"
-#include "machine/following.h"
-#include "machine/orientation.h"
-#include "path/linear.h"
+#include "machine/kinematics.h"
 
 namespace kadr::interp {
 
 using machine::Chain;
 using nc::Block;
 using nc::Function;
-using path::Command;
-using path::linear;
 using path::Op;
 using path::OrientKind;
 using path::Vec3;

@@ -30,7 +30,7 @@ constexpr double kLittleTurn = 0.02;
 constexpr double kShort = 0.02;
 constexpr double kPoint = 1e-6;
 /// Between samples closer than this, mm, a difference of curvatures is rounding.
-constexpr double kNoWay = 1e-9;
+constexpr double kNoDistance = 1e-9;
 
 /// Of a kind with a parameter, as a span of a spline.
 template <typename Bent>
@@ -146,7 +146,7 @@ SplineBend bend_between(const Bent& curve) {
         const Vec3 change = samples[i].curvature - before.curvature;
         bend_step = bend_step.cwiseMax(change.cwiseAbs());
         const double distance = distances[i - 1];
-        if (!(distance > kNoWay)) continue;
+        if (!(distance > kNoDistance)) continue;
         const Vec3 slope = change / distance;
         bend.third = bend.third.cwiseMax(slope.cwiseAbs());
         if (i > 1) slope_step = slope_step.cwiseMax((slope - slope_before).cwiseAbs());

@@ -242,10 +242,10 @@ class NameTable {
   public:
     /// From 1 on; `name` as the language compares names.
     std::int64_t number_of(const std::string& name) {
-        const auto [text, is_new] =
+        const auto [entry, is_new] =
             numbers_.emplace(name, static_cast<std::int64_t>(names_.size()) + 1);
         if (is_new) names_.push_back(name);
-        return text->second;
+        return entry->second;
     }
     /// Empty: no name has the number.
     std::string_view name_of(std::int64_t number) const {

@@ -333,10 +333,10 @@ std::vector<DialectSummary> list_dialects(const SearchPath& folders) {
         DialectSummary summary{name, {}, {}, {}, {}};
         if (const auto path = find_dialect_file(name, folders)) {
             summary.file = *path;
-            std::map<std::string, std::string> programmed = first_tag(*path);
-            summary.title = std::move(programmed["title"]);
-            summary.suffix = std::move(programmed["suffix"]);
-            summary.extends = std::move(programmed["extends"]);
+            std::map<std::string, std::string> attributes = first_tag(*path);
+            summary.title = std::move(attributes["title"]);
+            summary.suffix = std::move(attributes["suffix"]);
+            summary.extends = std::move(attributes["extends"]);
         }
         all.push_back(std::move(summary));
     }

@@ -14,7 +14,7 @@ namespace {
 /// text is written.
 constexpr std::size_t kMostSeen = 4096;
 /// Positions without a point among others that are reported one by one; more of them are a habit.
-constexpr int kMostTold = 5;
+constexpr int kMostReported = 5;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ bool PointWatch::takes(double number, std::uint64_t line, std::uint32_t column) 
     seen_.emplace_back(line, column);
     ++count_;
     reach_ = std::max(reach_, std::fabs(number));
-    return kept_.size() < std::size_t{kMostTold};
+    return kept_.size() < std::size_t{kMostReported};
 }
 
 /// What is to be reported now: nothing before a position with a point has come.
@@ -70,7 +70,7 @@ std::vector<PointWatch::WholePosition> PointWatch::take_reported() {
     if (!has_points_) return {};
     std::vector<WholePosition> reported = std::exchange(kept_, {});
     reported_ += static_cast<int>(reported.size());
-    if (reported_ >= kMostTold) is_open_ = false;
+    if (reported_ >= kMostReported) is_open_ = false;
     return reported;
 }
 

@@ -163,23 +163,23 @@ std::string without_returns(std::string_view text) {
 /// Why the text has not the form that its author may have expected; each is reported once.
 void note_refusals(const std::vector<Refusal>& refusals, DiagnosticBuilder& message) {
     constexpr std::size_t kMost = 4;
-    std::vector<std::string> text;
+    std::vector<std::string> noted;
     for (const Refusal& refusal : refusals) {
         std::string note = "`" + refusal.pattern + "` is not taken: " + refusal.why;
-        if (std::ranges::find(text, note) != text.end() || text.size() == kMost) continue;
+        if (std::ranges::find(noted, note) != noted.end() || noted.size() == kMost) continue;
         message.note(refusal.range, note);
-        text.push_back(std::move(note));
+        noted.push_back(std::move(note));
     }
 }
 
 }  // namespace
 
-std::string first_difference(std::string_view found, std::string_view message) {
+std::string first_difference(std::string_view found, std::string_view example) {
     const auto lines = static_cast<std::size_t>(
-        std::max(std::ranges::count(found, '\n'), std::ranges::count(message, '\n')));
+        std::max(std::ranges::count(found, '\n'), std::ranges::count(example, '\n')));
     for (std::size_t i = 0; i <= lines; ++i) {
         const std::string_view line = line_of(found, i);
-        const std::string_view other = line_of(message, i);
+        const std::string_view other = line_of(example, i);
         if (is_same_meaning(line, other)) continue;
         const std::vector<std::string_view> words = words_of_meaning(line);
         const std::vector<std::string_view> others = words_of_meaning(other);

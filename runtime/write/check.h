@@ -14,7 +14,7 @@
 namespace kadr::write {
 
 /// Where two meanings, a block a line, or two outcomes part: the block and the first word in it.
-std::string first_difference(std::string_view found, std::string_view text);
+std::string first_difference(std::string_view found, std::string_view example);
 
 /// Writes the frame of a program, in mm and in inches, and reads it again. An alarm is reported at
 /// the file's `<program>`.

@@ -75,15 +75,15 @@ class Fixes : public testing::TestWithParam<FixCase> {
 
 /// Codes of errors and lines of fixes, as they stand in the output.
 std::vector<std::string> said_in(const std::string& output) {
-    std::vector<std::string> text;
+    std::vector<std::string> shown;
     std::istringstream lines(output);
     for (std::string line; std::getline(lines, line);) {
         const std::string mark = ": error[";
         const std::size_t at = line.find(mark);
-        if (at != std::string::npos) text.push_back(line.substr(at + mark.size(), 5));
-        if (line.starts_with("  fix: ")) text.push_back(line.substr(2));
+        if (at != std::string::npos) shown.push_back(line.substr(at + mark.size(), 5));
+        if (line.starts_with("  fix: ")) shown.push_back(line.substr(2));
     }
-    return text;
+    return shown;
 }
 
 TEST_P(Fixes, SayWhatToWrite) {

@@ -30,10 +30,10 @@ const std::string kVectors[] = {" A3=0.1 C3=1", " A3=0.15 B3=0.1 C3=1", " B3=0.2
                                 " A3=-0.1 B3=0.1 C3=1", " B3=0.05 C3=1"};
 
 std::vector<std::string> vectors_with(const std::vector<std::string>& more) {
-    std::vector<std::string> text;
+    std::vector<std::string> words;
     for (std::size_t i = 0; i < std::size(kVectors); ++i)
-        text.push_back(kVectors[i] + more[i % more.size()]);
-    return text;
+        words.push_back(kVectors[i] + more[i % more.size()]);
+    return words;
 }
 
 std::map<std::string, Turning> turnings() {
@@ -144,10 +144,10 @@ TEST_F(ATurningTool, StandsAtTheEndsOfBlocksAsProgrammedBesideAContour) {
 /// FANUC's compensation of the cutter's side, with rotary axes and with vectors that are said.
 TEST_F(ATurningTool, StandsAsProgrammedBesideFanucsSide) {
     const auto part = [](const char* code, const char* begin,
-                         const std::vector<std::string>& text) {
+                         const std::vector<std::string>& words) {
         return std::string("%\nO0001\nG10 L12 P1 R5.\nG17 G40 G90 G94 G54\nT1 M6\nS6000 M3\n") +
-               begin + "\nG01 " + code + " X0. Y0. Z0. F3000." + text[0] + "\nY40." + text[1] +
-               "\nX40." + text[2] + "\nY0." + text[3] + "\nG40 X60. Y-30." + text[4] +
+               begin + "\nG01 " + code + " X0. Y0. Z0. F3000." + words[0] + "\nY40." + words[1] +
+               "\nX40." + words[2] + "\nY0." + words[3] + "\nG40 X60. Y-30." + words[4] +
                "\nG49\nM30\n%\n";
     };
     const std::vector<std::string> axes = {" B4. C10.", " B8. C15.", " B2. C-20.", " B7.", " B0."};
