@@ -59,9 +59,9 @@ int main(int argc, char** argv) {
         const syntax::Ast ast = syntax::parse(sources, *file, *keywords, *dialect, messages);
         const double parsed = cpu_time();
         NoModules modules;
-        const auto code = sema::check(ast, *dialect, modules, sources, messages);
+        const auto result = sema::check(ast, *dialect, modules, sources, messages);
         const double checked = cpu_time();
-        if (messages.has_errors() || !code) fail(messages, sources);
+        if (messages.has_errors() || !result.code) fail(messages, sources);
         if (round == 0) continue;
         parsing = std::min(parsing, parsed - start);
         checking = std::min(checking, checked - parsed);

@@ -45,8 +45,9 @@ std::optional<KadrProgram> checked(Session& session, FileId file) {
     sema::CheckOptions options = session.options().check;
     options.files = &session.files();
     options.is_over = [&session] { return session.deadline().is_over(); };
-    program.code = sema::check(*ast, *dialect, *program.modules, session.sources(),
-                               session.messages(), options);
+    sema::CheckResult result = sema::check(*ast, *dialect, *program.modules, session.sources(),
+                                           session.messages(), options);
+    program.code = std::move(result.code);
     if (program.code == nullptr && !require_time(session, file)) return std::nullopt;
     if (program.code != nullptr) name_truth(session, *program.code);
     if (program.code == nullptr || session.messages().errors() > errors_before) return std::nullopt;

@@ -3,23 +3,16 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/identifier.h"
 #include "driver/session.h"
 #include "machine/machine.h"
 #include "repl/commands.h"
 #include "repl/prompt.h"
+#include "sema/builtins.h"
 
 namespace kadr::repl {
 
 namespace {
-
-/// What the language shows of the modal state, docs/language.md section 5.
-constexpr std::string_view kStateMembers[] = {"feed",   "speed",    "tool",   "spindle",
-                                              "turned", "mirrored", "scaled", "diameter"};
-
-bool is_name_part(char c) {
-    return (c & 0x80) != 0 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-           (c >= 'A' && c <= 'Z');
-}
 
 /// Where the last word of the line begins.
 std::size_t last_word(std::string_view line) {
@@ -107,7 +100,7 @@ std::vector<std::string> Prompt::completions(std::string_view line) const {
     } else if (const auto before = imported(line)) {
         add_modules(share_.library, *before, candidates);
     } else if (begin > 0 && line[begin - 1] == '.' && owner(line, begin) == "state") {
-        for (const std::string_view name : kStateMembers) candidates.emplace_back(name);
+        for (const std::string_view name : sema::state_members()) candidates.emplace_back(name);
     } else if (!is_command) {
         const auto parameters = now_.parameters.find(open_call(line));
         if (parameters != now_.parameters.end()) {

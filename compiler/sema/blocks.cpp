@@ -695,6 +695,7 @@ std::uint32_t Checker::plan_constant(Plan plan) {
 void Checker::emit_plan(Plan plan, Reg first, unsigned point, const SourceRange& range) {
     if (is_in_test() && contour_depth_ == 0) report_test_block(range);
     const std::uint32_t index = plan_constant(std::move(plan));
+    record_.note_plan(module_, block_, index);
     emit_.emit_pair(OpCode::Emit, first, point, static_cast<unsigned>(loop_depth_), index,
                     statement_id(range));
 }

@@ -25,9 +25,50 @@ constexpr std::array<std::string_view, 48> kNames = {
     "sqrt",     "table",   "tan",    "tcp",          "text",          "trunc",
 };
 
+constexpr std::array<std::string_view, 6> kArrayMethods = {"append", "insert", "remove",
+                                                           "pop",    "clear",  "count"};
+constexpr std::array<std::string_view, 3> kTextMethods = {"part", "find", "count"};
+
 }  // namespace
 
 std::span<const std::string_view> builtin_names() { return kNames; }
+std::span<const std::string_view> array_methods() { return kArrayMethods; }
+std::span<const std::string_view> text_methods() { return kTextMethods; }
+
+std::vector<std::string_view> members_of(const TypeTable& types, Type type) {
+    std::vector<std::string_view> names;
+    switch (types[type].kind) {
+        case TypeKind::Struct:
+            for (const Member& member : types.struct_of(type).members) names.push_back(member.name);
+            break;
+        case TypeKind::Array:
+            if (types[type].is_contour) {
+                names = contour_properties();
+                names.emplace_back("count");
+            } else {
+                names.assign(kArrayMethods.begin(), kArrayMethods.end());
+                names.emplace_back("length");
+            }
+            break;
+        case TypeKind::String:
+            names.assign(kTextMethods.begin(), kTextMethods.end());
+            names.emplace_back("length");
+            break;
+        case TypeKind::Execution:
+            for (const FigureInfo& figure : all_figures()) names.push_back(figure.name);
+            break;
+        case TypeKind::Enum:
+        case TypeKind::Error:
+        case TypeKind::Void:
+        case TypeKind::Bool:
+        case TypeKind::Int:
+        case TypeKind::Real:
+        case TypeKind::Feed:
+        case TypeKind::Speed:
+        case TypeKind::Range: break;
+    }
+    return names;
+}
 
 Done Checker::require_argument_count(const Expr& expr, std::string_view name, std::size_t least,
                                      std::size_t most) {

@@ -5,6 +5,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "base/text.h"
+#include "sema/builtins.h"
 #include "sema/checker.h"
 #include "sema/csv.h"
 #include "sema/picture.h"
@@ -27,7 +28,7 @@ Value Checker::call(ExprId id, Reg hint) {
     }
     const std::string_view name = text(callee.text);
     if (name.empty()) return error_value();
-    const Found found = find(name);
+    const Found found = look_up(expr.child[0]);
     if (found.symbol < 0 && found.name != nullptr) check_unambiguous(name, callee.range);
     if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Function) {
         return call_function(found.name->index, expr);
@@ -207,6 +208,17 @@ void Checker::pass_argument(const ParameterDecl& parameter, ExprId argument, Reg
     emit_.release_to(mark);
 }
 
+/// The parameters that a call names, as uses of them.
+void Checker::note_arguments(const FunctionDecl& function, const Expr& expr) {
+    for (const ExprId id : ast().exprs(expr.list)) {
+        const Expr& argument = ast()[id];
+        if (argument.kind != ExprKind::Argument || argument.text.is_empty()) continue;
+        const auto named =
+            std::ranges::find(function.parameters, text(argument.text), &ParameterDecl::name);
+        if (named != function.parameters.end()) record_.note_use(module_, id, named->checked);
+    }
+}
+
 Value Checker::call_function(std::uint32_t index, const Expr& expr) {
     FunctionDecl& wanted = functions_[index];
     if (!wanted.is_wanted) {
@@ -229,6 +241,7 @@ Value Checker::call_function(std::uint32_t index, const Expr& expr) {
     const auto bound = bind_arguments(expr, function.name, names, function.range, required);
     if (!bound)
         return function.result == types::kVoid ? in_registers(types::kVoid, 0) : error_value();
+    note_arguments(function, expr);
 
     const unsigned result_slots = type_info(function.result).slots;
     const Reg first = emit_.take(std::max({1u, result_slots, unsigned{function.parameter_slots}}));
@@ -389,8 +402,6 @@ Value Checker::array_method(const Lvalue& array, const Expr& callee, const Expr&
     if (info.is_contour || (!adds && !inserts && !removes && !pops && !clears)) {
         auto builder = report(diag::UnknownMethod, callee.range);
         builder.arg(type_name(array.type)).arg(name);
-        static constexpr std::string_view kMethods[] = {"append", "insert", "remove",
-                                                        "pop",    "clear",  "count"};
         // As lists of other languages call them.
         static constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
             {"push_back", "append"}, {"push", "append"},  {"size", "count"}, {"length", "count"},
@@ -399,7 +410,8 @@ Value Checker::array_method(const Lvalue& array, const Expr& callee, const Expr&
             std::ranges::find(kOthers, name, &std::pair<std::string_view, std::string_view>::first);
         if (other != std::end(kOthers)) {
             builder.fix("here it is " + quoted(other->second));
-        } else if (const auto near = nearest_name(name, kMethods, std::size(kMethods))) {
+        } else if (const auto near =
+                       nearest_name(name, array_methods().data(), array_methods().size())) {
             builder.fix("did you mean " + quoted(*near) + "?");
         }
         return error_value();
@@ -469,8 +481,7 @@ Value Checker::string_method(const Lvalue& string, const Expr& callee, const Exp
     if (!is_part && name != "find") {
         auto builder = report(diag::UnknownMethod, callee.range);
         builder.arg(type_name(string.type)).arg(name);
-        static constexpr std::string_view kMethods[] = {"part", "find", "count"};
-        if (const auto near = nearest_name(name, kMethods, std::size(kMethods))) {
+        if (const auto near = nearest_name(name, text_methods().data(), text_methods().size())) {
             builder.fix("did you mean " + quoted(*near) + "?");
         }
         return error_value();

@@ -119,7 +119,14 @@ bool Checker::is_check(syntax::StmtId id) const {
     }
 }
 
-std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& dialect) {
+CheckResult Checker::run(const syntax::Ast& main, const nc::Dialect& dialect) {
+    const bool is_good = check_program(main, dialect);
+    checked_.plans = code_->plans;
+    if (prelude_ < modules_.size()) checked_.prelude = prelude_;
+    return {is_good ? std::move(code_) : nullptr, std::move(checked_)};
+}
+
+bool Checker::check_program(const syntax::Ast& main, const nc::Dialect& dialect) {
     load_module(main, dialect);
     code_->main_file = main.file;
     const auto modules = static_cast<std::uint32_t>(modules_.size());
@@ -128,7 +135,7 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
         report(diag::TooManyFunctions, functions_[kMostFunctions].range)
             .arg(functions_.size())
             .arg(std::size_t{kMostFunctions});
-        return nullptr;
+        return false;
     }
     code_->functions.resize(functions_.size() + 1);
 
@@ -158,13 +165,13 @@ std::unique_ptr<Code> Checker::run(const syntax::Ast& main, const nc::Dialect& d
     }
     // Calls add to the list: functions of other files are checked as soon as somebody wants them.
     for (std::size_t i = 0; i < wanted_.size(); ++i) check_function(wanted_[i]);
-    if (is_late_) return nullptr;
+    if (is_late_) return false;
     finish();
-    if (sink_.errors > 0) return nullptr;
+    if (sink_.errors > 0) return false;
     for (const Unused& unused : unused_) {
         report(diag::UnusedVariable, unused.range).arg(unused.name);
     }
-    return std::move(code_);
+    return true;
 }
 
 /// Asked in front of each statement, it finds now and then whether there is time left.
@@ -266,9 +273,8 @@ void Checker::mark_diameters() {
     }
 }
 
-std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
-                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
-                            const CheckOptions& options) {
+CheckResult check(const syntax::Ast& main, const nc::Dialect& dialect, ModuleLoader& modules,
+                  const Sources& sources, DiagnosticSink& sink, const CheckOptions& options) {
     return Checker(modules, sources, sink, options).run(main, dialect);
 }
 

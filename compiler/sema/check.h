@@ -12,6 +12,7 @@
 #include "base/diagnostic.h"
 #include "base/files.h"
 #include "nc/dialect.h"
+#include "sema/checked.h"
 #include "sema/code.h"
 #include "syntax/ast.h"
 
@@ -74,10 +75,13 @@ struct CheckOptions {
     std::function<bool()> is_over = {};
 };
 
-/// Checks the file and everything it imports. Mistakes are reported, all of them; the code is
-/// returned only if there was no error.
-std::unique_ptr<Code> check(const syntax::Ast& main, const nc::Dialect& dialect,
-                            ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
-                            const CheckOptions& options = {});
+struct CheckResult {
+    std::unique_ptr<Code> code;  // null: there was an error
+    Checked checked;             // as far as the check came; the trees live in the loader
+};
+
+/// Checks the file and everything it imports. Mistakes are reported, all of them.
+CheckResult check(const syntax::Ast& main, const nc::Dialect& dialect, ModuleLoader& modules,
+                  const Sources& sources, DiagnosticSink& sink, const CheckOptions& options = {});
 
 }  // namespace kadr::sema

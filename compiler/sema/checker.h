@@ -23,6 +23,7 @@
 #include "sema/code.h"
 #include "sema/emitter.h"
 #include "sema/names.h"
+#include "sema/recorder.h"
 #include "sema/types.h"
 
 namespace kadr::sema {
@@ -56,15 +57,21 @@ class Checker {
   public:
     Checker(ModuleLoader& modules, const Sources& sources, DiagnosticSink& sink,
             const CheckOptions& options);
-    std::unique_ptr<Code> run(const syntax::Ast& main, const nc::Dialect& dialect);
+    CheckResult run(const syntax::Ast& main, const nc::Dialect& dialect);
 
   private:
+    /// Whether there was no error, and so there is code.
+    bool check_program(const syntax::Ast& main, const nc::Dialect& dialect);
+
     // declarations.cpp
     std::uint32_t load_module(const syntax::Ast& ast, const nc::Dialect& dialect);
     void import(std::uint32_t module, const syntax::Decl& decl);
     void declare_names(std::uint32_t module);
-    void declare(std::uint32_t module, std::string_view name, Name entry);
-    void declare_enum(std::uint32_t module, const syntax::Decl& decl);
+    SymbolId declare(std::uint32_t module, syntax::DeclId id, Name entry, SymbolId owner = {});
+    void declare_enum(std::uint32_t module, syntax::DeclId id);
+    DeclaredSymbol described(std::uint32_t module, syntax::DeclId id,
+                             DeclaredSymbol::Kind kind) const;
+    void declare_parameter(const FunctionDecl& function, ParameterDecl& parameter);
     void check_header(const syntax::Ast& ast);
     void declare_units(std::uint32_t module);
     void define_types(std::uint32_t module);
@@ -111,9 +118,11 @@ class Checker {
         const Name* name = nullptr;  // top-level
     };
     Found find(std::string_view name) const;
+    /// What a Name means; it is recorded as a use.
+    Found look_up(syntax::ExprId id);
     const Name* find_global(std::uint32_t module, std::string_view name) const;
     void check_unambiguous(std::string_view name, const SourceRange& range);
-    Symbol& add_symbol(const Symbol& symbol);
+    Symbol& add_symbol(Symbol symbol);
     void check_new_name(std::string_view name, const SourceRange& range);
     void report_unknown(std::string_view name, const SourceRange& range);
     Done require_no_unit(std::string_view name, const SourceRange& range);
@@ -142,7 +151,15 @@ class Checker {
     /// A name that a mistake has taken away, which is reported already.
     Done require_not_lost(std::string_view name);
     std::vector<std::string_view> known_names(bool functions) const;
-    void leave_scope(std::size_t symbols);
+    /// What `leave_scope` goes back to.
+    struct OuterScope {
+        std::size_t symbols = 0;
+        std::size_t begin = 0;
+        std::uint32_t end = 0;
+    };
+    OuterScope enter_scope(const SourceRange& range);
+    void leave_scope(const OuterScope& outer);
+    void forget_symbols(std::size_t first);
     void report_unused(const Symbol& symbol);
     std::vector<Givenness> remember_givenness() const;
     void merge_givenness(const std::vector<Givenness>& other);
@@ -151,6 +168,7 @@ class Checker {
 
     // expressions.cpp
     Value expression(syntax::ExprId id, Type expected = {}, Reg hint = kNoReg);
+    void note_value(syntax::ExprId id, const Value& value);
     Value expression_kind(syntax::ExprId id, Type expected, Reg hint);
     Value number_literal(const syntax::Expr& expr);
     Value name_value(syntax::ExprId id, Reg hint);
@@ -194,6 +212,7 @@ class Checker {
     /// The value of a name, member or element without the check that it is given; sets
     /// last_unset_ if the variable may be without a value.
     Value unchecked(syntax::ExprId id);
+    Value unchecked_kind(syntax::ExprId id);
     Type type_of(syntax::ExprId id);
     /// What a condition tells about optionals: inside `if (given b)`, b is given.
     void assume_given(syntax::ExprId condition, bool sense);
@@ -277,7 +296,7 @@ class Checker {
     /// An lvalue, or the temporary that an expression leaves.
     std::optional<Lvalue> owner_lvalue(syntax::ExprId id);
     /// The member `expr.text` of a struct that stands somewhere.
-    std::optional<Lvalue> part_lvalue(const Lvalue& whole, const syntax::Expr& expr);
+    std::optional<Lvalue> part_lvalue(const Lvalue& whole, syntax::ExprId id);
     void note_assignment(const Lvalue& lvalue);
     Value load(const Lvalue& lvalue, const SourceRange& range, bool checked, Reg hint);
     void store(const Lvalue& lvalue, const Value& value, const SourceRange& range);
@@ -287,6 +306,7 @@ class Checker {
     // calls.cpp
     Value call(syntax::ExprId id, Reg hint);
     Value call_function(std::uint32_t function, const syntax::Expr& expr);
+    void note_arguments(const FunctionDecl& function, const syntax::Expr& expr);
     void pass_argument(const ParameterDecl& parameter, syntax::ExprId argument, Reg first);
     std::optional<Value> named_axis(const nc::FunctionInfo& info, const nc::Parameter& parameter,
                                     const Value& value, const SourceRange& range);
@@ -326,7 +346,7 @@ class Checker {
 
     // contours.cpp
     void contour_body(const syntax::Decl& decl, Reg target);
-    void contour_variable(const syntax::Decl& decl);
+    void contour_variable(syntax::DeclId id);
     std::optional<Value> contour_property(const Value& contour, const syntax::Expr& expr);
     std::optional<Value> contour_function(std::string_view name, const syntax::Expr& expr);
     Value contour_value(ContourFunction function, Type result, Reg arguments,
@@ -363,8 +383,8 @@ class Checker {
         return is_normal ? Completion::Normal : Completion::Abrupt;
     }
     Completion statement(syntax::StmtId id);
-    Completion block(syntax::List statements);
-    void variable(const syntax::Decl& decl);
+    Completion block(syntax::List statements, const SourceRange& range);
+    void variable(syntax::DeclId id);
     bool is_optional_type(const syntax::Decl& decl) const {
         return decl.type.is_valid() && ast()[decl.type].is_optional;
     }
@@ -388,7 +408,7 @@ class Checker {
     Completion for_each(const syntax::Stmt& stmt);
     Value characters(const Value& string, bool is_reference, const syntax::Decl& decl,
                      const SourceRange& range);
-    void for_range(const syntax::Stmt& stmt, const syntax::Decl& decl);
+    void for_range(const syntax::Stmt& stmt);
     void jump_if_quietly(syntax::ExprId condition, Label& top, int depth);
     void check_named_global(syntax::ExprId id);
     bool is_plain_constant(syntax::ExprId id) const;
@@ -522,13 +542,49 @@ class Checker {
         DiagnosticSink& next_;
     };
 
+    /// While it lives, what is checked is only tried: nothing is reported or recorded.
+    class Trial {
+      public:
+        explicit Trial(Checker& checker)
+            : sink_(checker.sink_),
+              was_quiet_(std::exchange(sink_.is_quiet, true)),
+              trial_(checker.record_) {}
+        Trial(const Trial&) = delete;
+        Trial& operator=(const Trial&) = delete;
+        ~Trial() { sink_.is_quiet = was_quiet_; }
+
+      private:
+        CountingSink& sink_;
+        bool was_quiet_;
+        Recorder::Trial trial_;
+    };
+
+    /// While it lives, mistakes count, whoever tries something around it.
+    class Finding {
+      public:
+        explicit Finding(Checker& checker)
+            : sink_(checker.sink_),
+              was_quiet_(std::exchange(sink_.is_quiet, checker.is_late_)),
+              finding_(checker.record_) {}
+        Finding(const Finding&) = delete;
+        Finding& operator=(const Finding&) = delete;
+        ~Finding() { sink_.is_quiet = was_quiet_; }
+
+      private:
+        CountingSink& sink_;
+        bool was_quiet_;
+        Recorder::Finding finding_;
+    };
+
     ModuleLoader& loader_;
     const Sources& sources_;
     CountingSink sink_;
     CheckOptions options_;
     std::unique_ptr<Code> code_;
     Emitter emit_;
-    TypeTable types_;
+    Checked checked_;
+    TypeTable& types_ = checked_.types;
+    Recorder record_{checked_};
     std::vector<ModuleScope> modules_;
     std::vector<FunctionDecl> functions_;
     std::vector<GlobalVariable> globals_;
@@ -544,9 +600,11 @@ class Checker {
     std::unordered_map<std::string_view, std::vector<std::int32_t>>
         visible_;                  // by name, innermost last
     std::size_t scope_begin_ = 0;  // first symbol of the innermost scope
+    std::uint32_t scope_end_ = 0;  // of the innermost scope, a byte of its file
     std::vector<LoopScope> loops_;
     std::size_t with_depth_ = 0;
     int loop_depth_ = 0;
+    syntax::StmtId block_;   // the statement whose blocks are being planned
     SourceRange target_;     // the point behind words that is being looked at
     int contour_depth_ = 0;  // bodies of contours around
     const FunctionDecl* function_ = nullptr;

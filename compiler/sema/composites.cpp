@@ -1,7 +1,9 @@
 // composites.cpp — points, structs and arrays in braces; members.
 #include <algorithm>
+#include <array>
 
 #include "base/diagnostics/sema.h"
+#include "sema/builtins.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
@@ -82,6 +84,7 @@ void Checker::fill_members(ExprId id, Type type, Reg reg) {
                     continue;
                 }
                 member = static_cast<std::size_t>(found - info.members.begin());
+                record_.note_use(module_, item, found->symbol);
             }
         }
         if (member >= info.members.size()) {
@@ -168,15 +171,18 @@ Value Checker::member(ExprId id) {
     const Expr& owner = ast()[expr.child[0]];
     if (owner.kind == ExprKind::Name) {
         const std::string_view name = text(owner.text);
-        const Found found = find(name);
+        const Found found = look_up(expr.child[0]);
         if (found.symbol < 0 && found.name == nullptr && (name == "position" || name == "state")) {
             return position_member(expr, name == "position");
         }
         if (found.symbol < 0 && found.name != nullptr && found.name->what == Name::What::Type &&
             kind(found.name->type) == TypeKind::Enum) {
             check_unambiguous(name, owner.range);
-            for (const auto& [member, value] : types_.enum_of(found.name->type).members) {
-                if (member == text(expr.text)) return constant_integer(value, found.name->type);
+            const EnumInfo& info = types_.enum_of(found.name->type);
+            for (std::size_t i = 0; i < info.members.size(); ++i) {
+                if (info.members[i].first != text(expr.text)) continue;
+                record_.note_use(module_, id, info.symbols[i]);
+                return constant_integer(info.members[i].second, found.name->type);
             }
             report(diag::UnknownMember, expr.range).arg(name).arg(text(expr.text));
             return error_value();
@@ -189,57 +195,68 @@ Value Checker::member(ExprId id) {
                               (text(asked.text) == "position" || text(asked.text) == "state");
         if (is_state) return is_given(position_member(expr, text(asked.text) == "position"));
         const std::optional<Lvalue> whole = lvalue(owner.child[0]);
-        const std::optional<Lvalue> part = whole ? part_lvalue(*whole, expr) : std::nullopt;
+        const std::optional<Lvalue> part = whole ? part_lvalue(*whole, id) : std::nullopt;
         return part ? is_given(load(*part, expr.range, false, kNoReg)) : error_value();
     }
     const std::optional<Lvalue> whole = owner_lvalue(expr.child[0]);
     if (!whole) return error_value();
     if (const std::optional<Value> property = property_value(*whole, expr)) return *property;
-    const std::optional<Lvalue> part = part_lvalue(*whole, expr);
+    const std::optional<Lvalue> part = part_lvalue(*whole, id);
     return part ? load(*part, expr.range, true, kNoReg) : error_value();
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 9> kPositionMembers = {"x", "y", "z", "a", "b",
+                                                              "c", "u", "v", "w"};
+
+struct StateMember {
+    std::string_view name;
+    StateValue value;
+    Type type;
+    bool is_optional;  // a program may ask before it was programmed
+};
+
+constexpr StateMember kStateMembers[] = {
+    {"feed", StateValue::Feed, types::kFeed, true},
+    {"speed", StateValue::Speed, types::kSpeed, true},
+    {"tool", StateValue::Tool, types::kInt, true},
+    {"spindle", StateValue::Spindle, types::kInt, true},
+    {"mirrored", StateValue::Mirrored, types::kBool, false},
+    {"turned", StateValue::Turned, types::kBool, false},
+    {"scaled", StateValue::Scaled, types::kBool, false},
+    {"diameter", StateValue::Diameter, types::kBool, false},
+};
+
+}  // namespace
+
+std::span<const std::string_view> position_members() { return kPositionMembers; }
+
+std::vector<std::string_view> state_members() {
+    std::vector<std::string_view> names;
+    for (const StateMember& member : kStateMembers) names.push_back(member.name);
+    return names;
 }
 
 Value Checker::position_member(const Expr& expr, bool is_position) {
     const std::string_view name = text(expr.text);
+    const auto* const state = std::ranges::find(kStateMembers, name, &StateMember::name);
+    const auto* const axis = std::ranges::find(kPositionMembers, name);
+    const bool is_known =
+        is_position ? axis != kPositionMembers.end() : state != std::end(kStateMembers);
+    if (!is_known) {
+        report(diag::UnknownMember, expr.range).arg(is_position ? "position" : "state").arg(name);
+        return error_value();
+    }
     const Reg reg = emit_.take(1);
-    if (is_position) {
-        static constexpr std::string_view kAxisLetters = "xyzabcuvw";
-        const std::size_t axis =
-            name.size() == 1 ? kAxisLetters.find(name[0]) : std::string_view::npos;
-        if (axis == std::string_view::npos) {
-            report(diag::UnknownMember, expr.range).arg("position").arg(name);
-            return error_value();
-        }
-        emit_.emit(OpCode::Position, reg, 0, static_cast<unsigned>(axis));
-        const bool rotary = axis >= 3 && axis <= 5;
-        return in_registers(types_.optional(rotary ? types::kAngleType : types::kLengthType), reg);
+    if (!is_position) {
+        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(state->value));
+        return in_registers(state->is_optional ? types_.optional(state->type) : state->type, reg);
     }
-    if (name == "feed") {
-        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Feed));
-        return in_registers(types_.optional(types::kFeed), reg);
-    }
-    if (name == "speed") {
-        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Speed));
-        return in_registers(types_.optional(types::kSpeed), reg);
-    }
-    if (name == "tool") {
-        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Tool));
-        return in_registers(types_.optional(types::kInt), reg);
-    }
-    if (name == "spindle") {
-        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(StateValue::Spindle));
-        return in_registers(types_.optional(types::kInt), reg);
-    }
-    if (name == "mirrored" || name == "turned" || name == "scaled" || name == "diameter") {
-        const StateValue asked = name == "turned"     ? StateValue::Turned
-                                 : name == "mirrored" ? StateValue::Mirrored
-                                 : name == "scaled"   ? StateValue::Scaled
-                                                      : StateValue::Diameter;
-        emit_.emit(OpCode::State, reg, 0, static_cast<unsigned>(asked));
-        return in_registers(types::kBool, reg);
-    }
-    report(diag::UnknownMember, expr.range).arg("state").arg(name);
-    return error_value();
+    const auto number = static_cast<unsigned>(axis - kPositionMembers.begin());
+    emit_.emit(OpCode::Position, reg, 0, number);
+    const bool is_rotary = number >= 3 && number <= 5;
+    return in_registers(types_.optional(is_rotary ? types::kAngleType : types::kLengthType), reg);
 }
 
 }  // namespace kadr::sema

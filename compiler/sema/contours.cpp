@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/diagnostics/sema.h"
+#include "sema/builtins.h"
 #include "sema/checker.h"
 
 namespace kadr::sema {
@@ -35,6 +36,12 @@ constexpr Quantity kArea{2, 0, 0, 0};
 
 }  // namespace
 
+std::vector<std::string_view> contour_properties() {
+    std::vector<std::string_view> names;
+    for (const Property& property : kProperties) names.push_back(property.name);
+    return names;
+}
+
 // ---------------------------------------------------------------- declarations
 
 /// The statements run with the blocks being kept; loops around cannot be left from here.
@@ -51,10 +58,12 @@ void Checker::contour_body(const Decl& decl, Reg target) {
     emit_.emit_pair(OpCode::EndContour, target, 0, 0, layout_constant(types::kElement));
 }
 
-void Checker::contour_variable(const Decl& decl) {
+void Checker::contour_variable(syntax::DeclId id) {
+    const Decl& decl = ast()[id];
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
+    symbol.decl = id;
     symbol.type = types::kContour;
     symbol.reg = emit_.take(1);
     contour_body(decl, symbol.reg);

@@ -84,7 +84,7 @@ Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curv
     const Value none = is_start ? error_value() : in_registers(types::kVoid, 0);
     const auto bound = bind_arguments(expr, name, kNames, {});
     const Expr& call = ast()[curve];
-    const Found found = find(text(ast()[call.child[0]].text));
+    const Found found = look_up(call.child[0]);
     const std::uint32_t index = found.name->index;
     for (const std::uint32_t needed : {index, index + 1}) {
         if (functions_[needed].is_wanted) continue;
@@ -96,6 +96,7 @@ Value Checker::follow_curve(const Expr& expr, std::string_view name, ExprId curv
     for (const ParameterDecl& parameter : limits.parameters) names.push_back(parameter.name);
     const auto arguments = bind_arguments(call, limits.name, names, limits.range);
     if (!bound || !arguments) return none;
+    note_arguments(limits, call);
 
     const auto options = static_cast<unsigned>(CurveSlot::Arguments);
     const std::uint16_t slots = limits.parameter_slots;

@@ -78,6 +78,7 @@ Done Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange&
         wanted_.push_back(found->index);
     }
     cycle.function = found->index + 1;
+    record_.note_word(module_, range, found->checked);
     cycle.rules = dialect.rules();
     cycle.has_other_in_strokes = nc::cycle_with_strokes(dialect, id).has_value();
     return kDone;

@@ -23,6 +23,7 @@ std::uint32_t Checker::load_module(const syntax::Ast& ast, const nc::Dialect& di
     scope.ast = &ast;
     scope.dialect = &dialect;
     modules_.push_back(std::move(scope));
+    record_.add_file(ast, dialect);
     check_header(ast);
     declare_units(module);
     for (const syntax::DeclId id : ast.top) {
@@ -54,6 +55,7 @@ void Checker::import(std::uint32_t module, const Decl& decl) {
     }
     const std::uint32_t imported =
         load_module(*found.ast, found.dialect != nullptr ? *found.dialect : dialect);
+    record_.import(module, decl.range, imported);
     std::vector<std::uint32_t>& imports = modules_[module].imports;
     if (std::find(imports.begin(), imports.end(), imported) == imports.end()) {
         imports.push_back(imported);
@@ -98,34 +100,100 @@ void Checker::declare_units(std::uint32_t module) {
         if (decl.kind != DeclKind::Units) continue;
         modules_[module].units = ast.text(decl.name) == "mm" ? Units::Metric : Units::Inch;
     }
+    record_.set_units(module, modules_[module].units);
 }
 
-void Checker::declare(std::uint32_t module, std::string_view name, Name entry) {
-    if (name.empty()) return;
+namespace {
+
+DeclaredSymbol::Kind kind_of(DeclKind kind) {
+    using Kind = DeclaredSymbol::Kind;
+    switch (kind) {
+        case DeclKind::Parameter: return Kind::Parameter;
+        case DeclKind::Function: return Kind::Function;
+        case DeclKind::Cycle: return Kind::Cycle;
+        case DeclKind::Program: return Kind::Program;
+        case DeclKind::Struct: return Kind::Struct;
+        case DeclKind::Enum: return Kind::Enum;
+        case DeclKind::Contour: return Kind::Contour;
+        case DeclKind::Curve: return Kind::Curve;
+        case DeclKind::Test: return Kind::Test;
+        case DeclKind::Property: return Kind::Property;
+        case DeclKind::Variable:
+        case DeclKind::Import:
+        case DeclKind::Units:
+        case DeclKind::Dialect:
+        case DeclKind::Language:
+        case DeclKind::Invalid: break;
+    }
+    return Kind::Variable;
+}
+
+Name entry_of(Name::What what, std::uint32_t index, Type type = {}, std::int64_t member = 0) {
+    Name entry;
+    entry.what = what;
+    entry.index = index;
+    entry.type = type;
+    entry.member = member;
+    return entry;
+}
+
+}  // namespace
+
+DeclaredSymbol Checker::described(std::uint32_t module, syntax::DeclId id,
+                                  DeclaredSymbol::Kind kind) const {
+    const syntax::Ast& tree = *modules_[module].ast;
+    DeclaredSymbol symbol;
+    symbol.kind = kind;
+    symbol.name = tree.text(tree[id].name);
+    symbol.file = module;
+    symbol.decl = id;
+    symbol.range = tree[id].name_range.file.is_valid() ? tree[id].name_range : tree[id].range;
+    symbol.is_const = tree[id].is_const;
+    return symbol;
+}
+
+/// Declares a name of a file; what it is called and where stands in its declaration.
+SymbolId Checker::declare(std::uint32_t module, syntax::DeclId id, Name entry, SymbolId owner) {
+    const Decl& decl = (*modules_[module].ast)[id];
+    const std::string_view name = modules_[module].ast->text(decl.name);
+    if (name.empty()) return {};
     entry.module = module;
+    entry.range = decl.name_range;
+    const bool is_member = entry.what == Name::What::EnumMember;
+    DeclaredSymbol symbol =
+        described(module, id, is_member ? DeclaredSymbol::Kind::EnumMember : kind_of(decl.kind));
+    symbol.type = entry.type;
+    symbol.owner = owner;
+    entry.checked = record_.declare(std::move(symbol));
     const auto [found, is_new] = modules_[module].names.try_emplace(name, entry);
-    if (is_new) return;
-    report(diag::DuplicateName, entry.range)
-        .arg(name)
-        .note(found->second.range, "it is declared here");
+    if (!is_new) {
+        report(diag::DuplicateName, entry.range)
+            .arg(name)
+            .note(found->second.range, "it is declared here");
+    }
+    return entry.checked;
 }
 
-void Checker::declare_enum(std::uint32_t module, const Decl& decl) {
+void Checker::declare_enum(std::uint32_t module, syntax::DeclId id) {
     const syntax::Ast& ast = *modules_[module].ast;
+    const Decl& decl = ast[id];
     EnumInfo info;
     info.name = ast.text(decl.name);
     info.range = decl.name_range;
     std::int64_t next = 0;
-    for (const syntax::DeclId id : ast.decls(decl.members)) {
-        info.members.emplace_back(ast.text(ast[id].name), next++);
+    for (const syntax::DeclId member : ast.decls(decl.members)) {
+        info.members.emplace_back(ast.text(ast[member].name), next++);
     }
     const Type type = types_.add_enum(info);
-    declare(module, ast.text(decl.name), {Name::What::Type, module, 0, type, 0, decl.name_range});
+    const SymbolId symbol = declare(module, id, entry_of(Name::What::Type, 0, type));
+    types_.set_symbol(type, symbol);
     next = 0;
-    for (const syntax::DeclId id : ast.decls(decl.members)) {
-        declare(module, ast.text(ast[id].name),
-                {Name::What::EnumMember, module, 0, type, next++, ast[id].name_range});
+    std::vector<SymbolId> members;
+    for (const syntax::DeclId member : ast.decls(decl.members)) {
+        const Name entry = entry_of(Name::What::EnumMember, 0, type, next++);
+        members.push_back(declare(module, member, entry, symbol));
     }
+    types_.set_member_symbols(type, std::move(members));
 }
 
 void Checker::declare_names(std::uint32_t module) {
@@ -145,17 +213,16 @@ void Checker::declare_names(std::uint32_t module) {
                 function.kind = decl.kind;
                 function.range = decl.name_range;
                 const auto index = static_cast<std::uint32_t>(functions_.size());
+                function.checked = declare(module, id, entry_of(Name::What::Function, index));
                 functions_.push_back(std::move(function));
-                declare(module, name,
-                        {Name::What::Function, module, index, {}, 0, decl.name_range});
                 break;
             }
             case DeclKind::Contour:
             case DeclKind::Variable: {
                 const auto index = static_cast<std::uint32_t>(globals_.size());
                 globals_.push_back({GlobalVariable::State::Unchecked, module, id, {}});
-                declare(module, name,
-                        {Name::What::Variable, module, index, {}, 0, decl.name_range});
+                const SymbolId symbol = declare(module, id, entry_of(Name::What::Variable, index));
+                globals_.back().symbol.checked = symbol;
                 break;
             }
             case DeclKind::Struct: {
@@ -163,11 +230,12 @@ void Checker::declare_names(std::uint32_t module) {
                 info.name = name;
                 info.range = decl.name_range;
                 const Type type = types_.add_struct(std::move(info));
-                declare(module, name,
-                        {Name::What::Type, module, id.index, type, 0, decl.name_range});
+                const SymbolId symbol =
+                    declare(module, id, entry_of(Name::What::Type, id.index, type));
+                types_.set_symbol(type, symbol);
                 break;
             }
-            case DeclKind::Enum: declare_enum(module, decl); break;
+            case DeclKind::Enum: declare_enum(module, id); break;
             case DeclKind::Curve: {
                 FunctionDecl points;
                 points.module = module;
@@ -175,12 +243,12 @@ void Checker::declare_names(std::uint32_t module) {
                 points.name = name;
                 points.kind = decl.kind;
                 points.range = decl.name_range;
+                const auto index = static_cast<std::uint32_t>(functions_.size());
+                points.checked = declare(module, id, entry_of(Name::What::Curve, index));
                 FunctionDecl limits = points;
                 limits.is_limits = true;
-                const auto index = static_cast<std::uint32_t>(functions_.size());
                 functions_.push_back(std::move(points));
                 functions_.push_back(std::move(limits));
-                declare(module, name, {Name::What::Curve, module, index, {}, 0, decl.name_range});
                 break;
             }
             case DeclKind::Test:
@@ -257,6 +325,7 @@ Type Checker::resolve_type(syntax::TypeId id) {
     } else if (const Name* found = find_global(module_, name);
                found != nullptr && found->what == Name::What::Type) {
         check_unambiguous(name, ref.range);
+        record_.note_type_use(module_, id, found->checked);
         type = found->type;
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
@@ -308,14 +377,14 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
                                                found->type) != open_structs_.end();
                 if (found->type == type || is_open) {
                     report(diag::RecursiveStruct, field.range).arg(types_.struct_of(type).name);
-                    members.push_back({std::string(name), types::kError, 0, module, {}});
+                    members.push_back({std::string(name), types::kError, 0, module, {}, false, {}});
                     continue;
                 }
                 if (open_structs_.size() >= kMostLevels) {
                     report(diag::StructTooDeep, field.range)
                         .arg(types_.struct_of(type).name)
                         .arg(std::size_t{kMostLevels});
-                    members.push_back({std::string(name), types::kError, 0, module, {}});
+                    members.push_back({std::string(name), types::kError, 0, module, {}, false, {}});
                     continue;
                 }
                 open_structs_.push_back(type);
@@ -335,11 +404,15 @@ void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
             report(diag::ReferencePlace, field.range);
         }
         const bool is_optional = field.type.is_valid() && tree[field.type].is_optional;
-        members.push_back({std::string(name), member_type, 0, module, field.value, is_optional});
+        DeclaredSymbol symbol = described(module, id, DeclaredSymbol::Kind::Member);
+        symbol.type = member_type;
+        symbol.owner = types_.struct_of(type).symbol;
+        members.push_back({std::string(name), member_type, 0, module, field.value, is_optional,
+                           record_.declare(std::move(symbol))});
     }
     if (members.empty()) {
         report(diag::EmptyStruct, decl.name_range).arg(types_.struct_of(type).name);
-        members.push_back({"", types::kError, 0, module, {}});
+        members.push_back({"", types::kError, 0, module, {}, false, {}});
     }
     module_ = module;
     switch (types_.complete_struct(type, std::move(members))) {
@@ -407,6 +480,7 @@ void Checker::define_signature(std::uint32_t index) {
     function.result = decl.kind == DeclKind::Function && decl.type.is_valid()
                           ? resolve_type(decl.type)
                           : types::kVoid;
+    record_.set_type(function.checked, function.result);
     if (decl.type.is_valid() && ast()[decl.type].is_reference) {
         report(diag::ReferencePlace, ast()[decl.type].range);
     }
@@ -422,6 +496,7 @@ void Checker::define_signature(std::uint32_t index) {
         ParameterDecl entry;
         entry.name = text(parameter.name);
         entry.range = parameter.name_range;
+        entry.decl = id;
         entry.type = resolve_type(parameter.type);
         if (entry.type == types::kVoid) {
             report(diag::VoidValue, parameter.range);
@@ -444,6 +519,7 @@ void Checker::define_signature(std::uint32_t index) {
         entry.slots = entry.is_reference ? 1 : type_info(entry.type).slots;
         entry.reg = static_cast<Reg>(next);
         next += entry.slots;
+        declare_parameter(function, entry);
         function.parameters.push_back(entry);
     }
     if (function.parameters.size() > 32) {
@@ -452,6 +528,20 @@ void Checker::define_signature(std::uint32_t index) {
     }
     // Reported where the body is checked, which finds no room for them.
     function.parameter_slots = static_cast<std::uint16_t>(std::min(next, kMostRegisters + 1));
+}
+
+/// Both functions of a curve have its parameters.
+void Checker::declare_parameter(const FunctionDecl& function, ParameterDecl& parameter) {
+    const SymbolId known = checked_.files[module_].declarations[parameter.decl.index];
+    if (known.is_valid()) {
+        parameter.checked = known;
+        return;
+    }
+    DeclaredSymbol symbol = described(module_, parameter.decl, DeclaredSymbol::Kind::Parameter);
+    symbol.scope = ast()[function.decl].range;
+    symbol.type = parameter.type;
+    symbol.owner = function.checked;
+    parameter.checked = record_.declare(std::move(symbol));
 }
 
 void Checker::check_global(std::uint32_t index, bool on_demand) {
@@ -465,6 +555,7 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         return;
     }
     global.state = GlobalVariable::State::Checking;
+    const Finding finding(*this);
     const std::uint32_t module = std::exchange(module_, global.module);
     const Units units = std::exchange(units_, modules_[global.module].units);
     const SourceRange location = emit_.location();
@@ -473,6 +564,8 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
     Symbol symbol;
     symbol.name = tree.text(decl.name);
     symbol.range = decl.name_range;
+    symbol.decl = global.decl;
+    symbol.checked = global.symbol.checked;
     symbol.is_const = decl.is_const;
     symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
     if (decl.is_const && !decl.value.is_valid())
@@ -532,6 +625,7 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
     emit_.set_location(location);
     module_ = module;
     units_ = units;
+    record_.set_type(symbol.checked, symbol.type);
     globals_[index].symbol = symbol;
     globals_[index].state = GlobalVariable::State::Done;
 }
@@ -545,6 +639,8 @@ void Checker::bind_parameters(const FunctionDecl& function) {
             parameter.is_reference ? Symbol::Storage::Reference : Symbol::Storage::Local;
         symbol.reg = parameter.reg;
         symbol.range = parameter.range;
+        symbol.decl = parameter.decl;
+        symbol.checked = parameter.checked;
         symbol.is_parameter = true;
         symbol.may_be_unset = parameter.may_be_unset;
         if (parameter.may_be_unset) symbol.givenness = Givenness::Perhaps;
@@ -604,9 +700,10 @@ void Checker::check_function(std::uint32_t index) {
     const Decl decl = ast()[function.decl];
     function_ = &function;
     emit_.begin_function();
-    leave_scope(0);
+    forget_symbols(0);
     loops_.clear();
     scope_begin_ = 0;
+    scope_end_ = decl.range.end;
     with_depth_ = 0;
     loop_depth_ = 0;
     current_native_ = native_cycle(function);
@@ -643,8 +740,8 @@ void Checker::check_function(std::uint32_t index) {
     Completion completion = Completion::Normal;
     if (decl.body.is_valid()) {
         const syntax::Stmt body = ast()[decl.body];
-        completion =
-            body.kind == syntax::StmtKind::Block ? block(body.statements) : statement(decl.body);
+        completion = body.kind == syntax::StmtKind::Block ? block(body.statements, body.range)
+                                                          : statement(decl.body);
     }
     emit_native_cycle();
     const SourceRange end{decl.range.file, decl.range.end > 0 ? decl.range.end - 1 : 0,

@@ -17,7 +17,21 @@ Value Checker::expression(ExprId id, Type expected, Reg hint) {
     emit_.set_location(ast()[id].range);
     const Value value = expression_kind(id, expected, hint);
     emit_.set_location(before);
+    note_value(id, value);
     return value;
+}
+
+/// What an expression came to, for those who ask later; a literal says itself what it is.
+void Checker::note_value(ExprId id, const Value& value) {
+    const bool is_literal = ast()[id].kind <= ExprKind::String;
+    if (!value.is_constant() || is_literal) return record_.note_type(module_, id, value.type);
+    ConstantValue constant{value.type, value.constant, {}};
+    const bool is_text = kind(value.type) == TypeKind::String;
+    if (is_text && value.constant.integer != kNotGivenInteger) {
+        constant.text = code_->texts[static_cast<std::size_t>(value.constant.integer)];
+        constant.slot = {};
+    }
+    record_.note_value(module_, id, constant);
 }
 
 Value Checker::expression_kind(ExprId id, Type expected, Reg hint) {
@@ -101,7 +115,7 @@ Value Checker::symbol_value(std::int32_t index, const SourceRange& range, bool c
 Value Checker::name_value(ExprId id, Reg hint) {
     const Expr& expr = ast()[id];
     const std::string_view name = text(expr.text);
-    const Found found = find(name);
+    const Found found = look_up(id);
     if (found.symbol >= 0 &&
         symbols_[static_cast<std::size_t>(found.symbol)].storage != Symbol::Storage::Reference) {
         return symbol_value(found.symbol, expr.range, true);
@@ -236,7 +250,7 @@ Type Checker::type_of(ExprId id) {
     const std::uint64_t key = std::uint64_t{module_} << 32 | id.index;
     if (const auto known = known_types_.find(key); known != known_types_.end())
         return known->second;
-    const bool was_quiet = std::exchange(sink_.is_quiet, true);
+    const Trial trial(*this);
     const std::vector<Givenness> before = remember_givenness();
     const std::size_t instructions = code_->instructions.size();
     const Reg mark = emit_.mark();
@@ -245,7 +259,6 @@ Type Checker::type_of(ExprId id) {
     code_->instructions.resize(instructions);
     code_->locations.resize(instructions);
     set_givenness(before);
-    sink_.is_quiet = was_quiet;
     known_types_[key] = value.type;
     return value.type;
 }

@@ -122,7 +122,7 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
     if (!ordered || ast()[compare.child[0]].kind != ExprKind::Name) return false;
     const auto local_int = [&](ExprId id) -> const Symbol* {
         if (ast()[id].kind != ExprKind::Name) return nullptr;
-        const Found found = find(text(ast()[id].text));
+        const Found found = look_up(id);
         if (found.symbol < 0) return nullptr;
         const Symbol& symbol = symbols_[static_cast<std::size_t>(found.symbol)];
         return symbol.type == types::kInt && !symbol.may_be_unset ? &symbol : nullptr;
@@ -153,8 +153,7 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
 }
 
 Checker::Completion Checker::for_statement(const Stmt& stmt) {
-    const std::size_t symbols = symbols_.size();
-    const std::size_t scope = std::exchange(scope_begin_, symbols);
+    const OuterScope outer = enter_scope(stmt.range);
     const Reg mark = emit_.mark();
     if (stmt.statement[0].is_valid()) statement(stmt.statement[0]);
     Label top;
@@ -207,17 +206,15 @@ Checker::Completion Checker::for_statement(const Stmt& stmt) {
     emit_.bind(done);
     for_limit_ = outer_limit;
     --loop_depth_;
-    leave_scope(symbols);
-    scope_begin_ = scope;
+    leave_scope(outer);
     emit_.release_to(mark);
     return completion(!(is_always(ast(), condition) && !breaks(ast(), stmt.statement[1])));
 }
 
 /// The condition a second time: what it had to report was reported the first time.
 void Checker::jump_if_quietly(ExprId condition, Label& top, int depth) {
-    const bool was_quiet = std::exchange(sink_.is_quiet, true);
+    const Trial trial(*this);
     jump_if(condition, true, top, depth);
-    sink_.is_quiet = was_quiet;
 }
 
 /// What a global is, is known when it has been checked; it may stand further down.
@@ -264,11 +261,13 @@ void Checker::warn_of_empty_range(const Expr& range) {
              "; i >= " + std::to_string(*last) + "; i--)`");
 }
 
-void Checker::for_range(const Stmt& stmt, const Decl& decl) {
+void Checker::for_range(const Stmt& stmt) {
+    const Decl& decl = ast()[stmt.declaration];
     // `for (int i : 1..6)`: both ends included.
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
+    symbol.decl = stmt.declaration;
     symbol.is_read = true;  // to count passes is use enough
     symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kInt;
     symbol.is_const = decl.is_const;
@@ -320,17 +319,15 @@ Value Checker::characters(const Value& string, bool is_reference, const Decl& de
 }
 
 Checker::Completion Checker::for_each(const Stmt& stmt) {
-    const std::size_t symbols = symbols_.size();
-    const std::size_t scope = std::exchange(scope_begin_, symbols);
+    const OuterScope outer = enter_scope(stmt.range);
     const Reg mark = emit_.mark();
     const Decl& decl = ast()[stmt.declaration];
     const auto leave = [&] {
-        leave_scope(symbols);
-        scope_begin_ = scope;
+        leave_scope(outer);
         emit_.release_to(mark);
     };
     if (ast()[stmt.expression[0]].kind == ExprKind::Range) {
-        for_range(stmt, decl);
+        for_range(stmt);
         leave();
         return Completion::Normal;
     }
@@ -350,6 +347,7 @@ Checker::Completion Checker::for_each(const Stmt& stmt) {
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
+    symbol.decl = stmt.declaration;
     symbol.is_read = true;  // to count passes is use enough
     symbol.type = written;
     symbol.is_row = true;

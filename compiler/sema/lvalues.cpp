@@ -14,13 +14,16 @@ using syntax::Operator;
 
 std::optional<Lvalue> Checker::lvalue(ExprId id) {
     const Expr& expr = ast()[id];
+    std::optional<Lvalue> found;
     switch (expr.kind) {
-        case ExprKind::Name: return name_lvalue(id);
-        case ExprKind::Member: return member_lvalue(id);
-        case ExprKind::Index: return element_lvalue(id);
-        case ExprKind::Invalid: return std::nullopt;
-        default: report(diag::NotAPlace, expr.range); return std::nullopt;
+        case ExprKind::Name: found = name_lvalue(id); break;
+        case ExprKind::Member: found = member_lvalue(id); break;
+        case ExprKind::Index: found = element_lvalue(id); break;
+        case ExprKind::Invalid: break;
+        default: report(diag::NotAPlace, expr.range); break;
     }
+    if (found) record_.note_type(module_, id, found->type);
+    return found;
 }
 
 /// Whether anything has read the local variable of this name so far. Assigning it is no reading,
@@ -37,7 +40,7 @@ std::optional<Lvalue> Checker::name_lvalue(ExprId id) {
     const Expr& expr = ast()[id];
     const std::string_view name = text(expr.text);
     if (name.empty()) return std::nullopt;
-    const Found found = find(name);
+    const Found found = look_up(id);
     Lvalue lvalue;
     lvalue.root = name;
     const Symbol* symbol = nullptr;
@@ -101,7 +104,8 @@ std::optional<Lvalue> Checker::owner_lvalue(ExprId id) {
     return lvalue;
 }
 
-std::optional<Lvalue> Checker::part_lvalue(const Lvalue& whole, const Expr& expr) {
+std::optional<Lvalue> Checker::part_lvalue(const Lvalue& whole, ExprId id) {
+    const Expr& expr = ast()[id];
     const std::string_view name = text(expr.text);
     if (name.empty()) return std::nullopt;
     if (kind(whole.type) != TypeKind::Struct) {
@@ -123,6 +127,7 @@ std::optional<Lvalue> Checker::part_lvalue(const Lvalue& whole, const Expr& expr
         }
         return std::nullopt;
     }
+    record_.note_use(module_, id, found->symbol);
     Lvalue part = whole;
     part.symbol = -1;
     part.type = found->type;
@@ -159,7 +164,7 @@ std::optional<Lvalue> Checker::member_lvalue(ExprId id) {
         lvalue.is_temporary = true;
         return lvalue;
     }
-    return part_lvalue(*whole, expr);
+    return part_lvalue(*whole, id);
 }
 
 std::optional<Lvalue> Checker::element_lvalue(ExprId id) {

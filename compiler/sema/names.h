@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "nc/dialect.h"
+#include "sema/checked.h"
 #include "sema/code.h"
 #include "sema/types.h"
 #include "syntax/ast.h"
@@ -40,9 +41,6 @@ struct Value {
     bool is_constant() const { return form == Form::Constant; }
 };
 
-/// What is known about a variable at one point of the program.
-enum class Givenness : std::uint8_t { Given, Perhaps, NotGiven };
-
 struct Symbol {
     enum class Storage : std::uint8_t { Local, Global, Reference, Constant };
     std::string_view name;
@@ -62,6 +60,8 @@ struct Symbol {
     bool is_assigned = false;     // after its declaration
     Origin origin = Origin::Any;  // of the value that it was given last in the text
     SourceRange range;
+    syntax::DeclId decl;  // not valid: a coordinate of a curve
+    SymbolId checked;
 };
 
 struct ParameterDecl {
@@ -74,6 +74,8 @@ struct ParameterDecl {
     Reg reg = 0;
     std::uint16_t slots = 1;
     SourceRange range;
+    syntax::DeclId decl;
+    SymbolId checked;
 };
 
 struct FunctionDecl {
@@ -87,6 +89,7 @@ struct FunctionDecl {
     std::uint16_t parameter_slots = 0;
     bool is_wanted = false;  // its body is or will be checked
     SourceRange range;
+    SymbolId checked;
 };
 
 /// A top-level name of a file.
@@ -99,6 +102,7 @@ struct Name {
     Type type;  // Type, EnumMember
     std::int64_t member = 0;
     SourceRange range;
+    SymbolId checked;
 };
 
 struct GlobalVariable {

@@ -54,7 +54,7 @@ Value Checker::given(const Expr& expr) {
     const ExprId operand = expr.child[0];
     const Expr& inner = ast()[operand];
     Value value;
-    if (inner.kind == ExprKind::Name && find(text(inner.text)).symbol >= 0) {
+    if (inner.kind == ExprKind::Name && look_up(operand).symbol >= 0) {
         const std::int32_t index = find(text(inner.text)).symbol;
         Symbol& symbol = symbols_[static_cast<std::size_t>(index)];
         symbol.is_read = true;
@@ -138,10 +138,16 @@ Value Checker::coalesce(ExprId id, Type expected) {
 }
 
 Value Checker::unchecked(ExprId id) {
+    const Value value = unchecked_kind(id);
+    note_value(id, value);
+    return value;
+}
+
+Value Checker::unchecked_kind(ExprId id) {
     last_unset_ = false;
     const Expr& expr = ast()[id];
     if (expr.kind == ExprKind::Name) {
-        const Found found = find(text(expr.text));
+        const Found found = look_up(id);
         if (found.symbol >= 0 &&
             symbols_[static_cast<std::size_t>(found.symbol)].storage == Symbol::Storage::Local) {
             last_unset_ = symbols_[static_cast<std::size_t>(found.symbol)].may_be_unset;

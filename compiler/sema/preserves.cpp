@@ -252,7 +252,7 @@ class PreservesCheck {
 };
 
 std::vector<nc::Function> Checker::preserved_members(const syntax::Decl& decl) {
-    const bool was_quiet = std::exchange(sink_.is_quiet, true);  // words_mask has reported it
+    const Trial trial(*this);  // words_mask has reported it
     std::vector<nc::Function> members;
     for (const syntax::Word& word : ast().word_run(decl.preserves)) {
         if (named_state(word) != 0) continue;
@@ -264,12 +264,11 @@ std::vector<nc::Function> Checker::preserved_members(const syntax::Decl& decl) {
             }
         }
     }
-    sink_.is_quiet = was_quiet;
     return members;
 }
 
 void Checker::check_preserves(const FunctionDecl& function, const syntax::Decl& decl) {
-    const bool was_quiet = std::exchange(sink_.is_quiet, true);
+    std::optional<Trial> trial(*this);  // the words were reported where they are planned
     const Flow flow = PreservesCheck(*this).follow(function);
     std::map<ModalMask, nc::Function> promised;
     std::map<ModalMask, std::string> names;
@@ -285,7 +284,7 @@ void Checker::check_preserves(const FunctionDecl& function, const syntax::Decl& 
                                                               : nc::Function::None;
         }
     }
-    sink_.is_quiet = was_quiet;
+    trial.reset();
     for (const auto& [bit, member] : promised) {
         const auto found = flow.setters.find(bit);
         if (found == flow.setters.end()) continue;

@@ -12,6 +12,8 @@
 
 namespace kadr::sema {
 
+using syntax::DeclKind;
+
 std::string quoted(std::string_view text) {
     std::string all = "`";
     all += text;
@@ -75,18 +77,58 @@ void Checker::check_new_name(std::string_view name, const SourceRange& range) {
     }
 }
 
-Symbol& Checker::add_symbol(const Symbol& symbol) {
+Checker::Found Checker::look_up(syntax::ExprId id) {
+    const Found found = find(text(ast()[id].text));
+    if (found.symbol >= 0) {
+        const Symbol& symbol = symbols_[static_cast<std::size_t>(found.symbol)];
+        record_.note_use(module_, id, symbol.checked);
+        record_.note_givenness(module_, id, symbol.givenness);
+    } else if (found.name != nullptr) {
+        record_.note_use(module_, id, found.name->checked);
+    }
+    return found;
+}
+
+Symbol& Checker::add_symbol(Symbol symbol) {
     // `RETURN n;` declares nothing: what its type is, is reported.
     if (kind(symbol.type) != TypeKind::Error) check_new_name(symbol.name, symbol.range);
     visible_[symbol.name].push_back(static_cast<std::int32_t>(symbols_.size()));
     const bool varies =
         symbol.is_parameter || symbol.may_be_unset || type_info(symbol.type).is_optional;
     if (varies) varying_.push_back(static_cast<std::uint32_t>(symbols_.size()));
+    if (!symbol.checked.is_valid() && !symbol.name.empty()) {
+        using Kind = DeclaredSymbol::Kind;
+        DeclaredSymbol declared;
+        declared.kind = symbol.is_loop_variable ? Kind::LoopVariable
+                        : symbol.decl.is_valid() && ast()[symbol.decl].kind == DeclKind::Contour
+                            ? Kind::Contour
+                            : Kind::Variable;
+        declared.name = symbol.name;
+        declared.file = module_;
+        declared.decl = symbol.decl;
+        declared.range = symbol.range;
+        declared.scope = {symbol.range.file, symbol.range.end, scope_end_};
+        declared.type = symbol.type;
+        if (function_ != nullptr) declared.owner = function_->checked;
+        declared.is_const = symbol.is_const;
+        symbol.checked = record_.declare(std::move(declared));
+    }
     symbols_.push_back(symbol);
     return symbols_.back();
 }
 
-void Checker::leave_scope(std::size_t symbols) {
+Checker::OuterScope Checker::enter_scope(const SourceRange& range) {
+    return {symbols_.size(), std::exchange(scope_begin_, symbols_.size()),
+            std::exchange(scope_end_, range.end)};
+}
+
+void Checker::leave_scope(const OuterScope& outer) {
+    forget_symbols(outer.symbols);
+    scope_begin_ = outer.begin;
+    scope_end_ = outer.end;
+}
+
+void Checker::forget_symbols(std::size_t symbols) {
     for (std::size_t i = symbols; i < symbols_.size(); ++i) report_unused(symbols_[i]);
     while (symbols_.size() > symbols) {
         visible_[symbols_.back().name].pop_back();

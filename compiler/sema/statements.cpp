@@ -20,9 +20,8 @@ std::uint32_t Checker::statement_id(const SourceRange& range) {
     return id;
 }
 
-Checker::Completion Checker::block(syntax::List list) {
-    const std::size_t symbols = symbols_.size();
-    const std::size_t scope = std::exchange(scope_begin_, symbols);
+Checker::Completion Checker::block(syntax::List list, const SourceRange& range) {
+    const OuterScope outer = enter_scope(range);
     const Reg mark = emit_.mark();
     bool reachable = true;
     bool said = false;
@@ -37,8 +36,7 @@ Checker::Completion Checker::block(syntax::List list) {
         // `error(…); return 0;` is written so that the reader sees the end.
         if (ast()[id].kind == StmtKind::ErrorStmt) said = true;
     }
-    leave_scope(symbols);
-    scope_begin_ = scope;
+    leave_scope(outer);
     emit_.release_to(mark);
     return completion(reachable);
 }
@@ -51,16 +49,17 @@ Checker::Completion Checker::statement(StmtId id) {
     const SourceRange before = emit_.location();
     emit_.set_location(stmt.range);
     const Reg mark = emit_.mark();
+    const StmtId outer = std::exchange(block_, id);
     Completion completion = Completion::Normal;
     bool keeps_registers = false;
     warn_of_empty_body(stmt);
     switch (stmt.kind) {
         case StmtKind::Invalid:
         case StmtKind::Empty: break;
-        case StmtKind::Block: completion = block(stmt.statements); break;
+        case StmtKind::Block: completion = block(stmt.statements, stmt.range); break;
         case StmtKind::Expression: expression_statement(stmt); break;
         case StmtKind::Declaration:
-            variable(ast()[stmt.declaration]);
+            variable(stmt.declaration);
             keeps_registers = true;
             break;
         case StmtKind::If: completion = if_statement(stmt); break;
@@ -106,18 +105,21 @@ Checker::Completion Checker::statement(StmtId id) {
         case StmtKind::Expect: expect_statement(stmt); break;
     }
     if (!keeps_registers) emit_.release_to(mark);
+    block_ = outer;
     emit_.set_location(before);
     return completion;
 }
 
-void Checker::variable(const Decl& decl) {
+void Checker::variable(syntax::DeclId id) {
+    const Decl& decl = ast()[id];
     if (decl.kind == syntax::DeclKind::Contour) {
-        contour_variable(decl);
+        contour_variable(id);
         return;
     }
     Symbol symbol;
     symbol.name = text(decl.name);
     symbol.range = decl.name_range;
+    symbol.decl = id;
     symbol.is_const = decl.is_const;
     symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
     if (symbol.type == types::kVoid) {
@@ -345,7 +347,7 @@ Checker::Completion Checker::switch_statement(const Stmt& stmt) {
         emit_.bind(labels[i]);
         if (ends && i > 0) merge_givenness(before);
         else set_givenness(before);
-        ends = block(ast()[cases[i]].statements) == Completion::Normal;
+        ends = block(ast()[cases[i]].statements, ast()[cases[i]].range) == Completion::Normal;
         for (std::size_t s = 0; s < merged.size() && s < varying_.size(); ++s) {
             if (merged[s] != symbols_[varying_[s]].givenness) merged[s] = Givenness::Perhaps;
         }

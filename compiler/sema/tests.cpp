@@ -126,6 +126,9 @@ void Checker::declare_test(std::uint32_t module, syntax::DeclId id) {
             .arg(function.name)
             .note(same->range, "it is declared here");
     }
+    function.checked = record_.declare(described(
+        module, id,
+        decl.kind == DeclKind::Test ? DeclaredSymbol::Kind::Test : DeclaredSymbol::Kind::Property));
     functions_.push_back(std::move(function));
 }
 
@@ -238,7 +241,7 @@ std::optional<std::uint32_t> Checker::test_subject(std::string_view name, ExprId
     const Expr& call = ast()[id];
     const std::size_t errors = sink_.errors;
     if (call.kind == ExprKind::Call && ast()[call.child[0]].kind == ExprKind::Name) {
-        const Found found = find(text(ast()[call.child[0]].text));
+        const Found found = look_up(call.child[0]);
         const bool is_known = found.symbol >= 0 || found.name != nullptr;
         if (is_known && found.symbol < 0 && found.name->what == Name::What::Function) {
             const std::uint32_t index = found.name->index;

@@ -1,6 +1,7 @@
 #include "sema/types.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/assert.h"
 
@@ -37,7 +38,7 @@ TypeTable::TypeTable() {
         StructInfo info;
         info.name = std::move(name);
         for (std::uint16_t i = 0; i < 3; ++i) {
-            info.members.push_back({std::string(1, "xyz"[i]), type, i, 0, {}});
+            info.members.push_back({std::string(1, "xyz"[i]), type, i, 0, {}, false, {}});
         }
         info.slots = 3;
         return info;
@@ -47,20 +48,22 @@ TypeTable::TypeTable() {
     KADR_ASSERT(point == types::kPoint && vector == types::kVector, "built-in types moved");
     add(TypeKind::Range, 2);
     add(TypeKind::Execution, 1);
-    const Type element = add_struct({"element", {}, 0, {}});
+    StructInfo of_contour;
+    of_contour.name = "element";
+    const Type element = add_struct(std::move(of_contour));
     TypeInfo contour;
     contour.kind = TypeKind::Array;
     contour.element = element;
     contour.is_contour = true;
     types_.push_back(contour);
-    complete_struct(element, {{"from", point, 0, 0, {}},
-                              {"to", point, 0, 0, {}},
-                              {"center", point, 0, 0, {}},
-                              {"radius", types::kOptionalLength, 0, 0, {}},
-                              {"sweep", types::kAngleType, 0, 0, {}},
-                              {"length", types::kLengthType, 0, 0, {}},
-                              {"is_arc", types::kBool, 0, 0, {}},
-                              {"is_diameter", types::kBool, 0, 0, {}}});
+    complete_struct(element, {{"from", point, 0, 0, {}, false, {}},
+                              {"to", point, 0, 0, {}, false, {}},
+                              {"center", point, 0, 0, {}, false, {}},
+                              {"radius", types::kOptionalLength, 0, 0, {}, false, {}},
+                              {"sweep", types::kAngleType, 0, 0, {}, false, {}},
+                              {"length", types::kLengthType, 0, 0, {}, false, {}},
+                              {"is_arc", types::kBool, 0, 0, {}, false, {}},
+                              {"is_diameter", types::kBool, 0, 0, {}, false, {}}});
     add_real(kLength, false);
     types_.back().is_diameter = true;
     KADR_ASSERT(element == types::kElement && types_.size() == types::kDiameter.index + 1u &&
@@ -138,6 +141,16 @@ Type TypeTable::add_struct(StructInfo info) {
     structs_.push_back(std::move(info));
     types_.push_back(type);
     return {static_cast<std::uint32_t>(types_.size() - 1)};
+}
+
+void TypeTable::set_symbol(Type type, SymbolId symbol) {
+    const TypeInfo& info = (*this)[type];
+    if (info.kind == TypeKind::Struct) structs_[info.definition].symbol = symbol;
+    else enums_[info.definition].symbol = symbol;
+}
+
+void TypeTable::set_member_symbols(Type enumeration, std::vector<SymbolId> symbols) {
+    enums_[(*this)[enumeration].definition].symbols = std::move(symbols);
 }
 
 Type TypeTable::add_enum(EnumInfo info) {

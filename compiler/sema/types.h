@@ -21,6 +21,13 @@ struct Type {
     friend bool operator==(Type, Type) = default;
 };
 
+/// A declared name, index into Checked::symbols.
+struct SymbolId {
+    std::uint32_t index = 0xffffffffu;
+    bool is_valid() const { return index != 0xffffffffu; }
+    friend bool operator==(SymbolId, SymbolId) = default;
+};
+
 enum class TypeKind : std::uint8_t {
     Error,  // a mistake was reported; fits everything, so that one mistake is one message
     Void,
@@ -58,6 +65,7 @@ struct Member {
     std::uint32_t module = 0;   // of the default value
     syntax::ExprId initial;     // default value, may be invalid
     bool may_be_unset = false;  // a struct with `?`
+    SymbolId symbol;            // not valid: of a built-in struct
 };
 
 /// How deep structs may hold structs. Deeper than any real data, and far from where a walk through
@@ -71,12 +79,15 @@ struct StructInfo {
     SourceRange range;
     std::uint32_t levels = 1;  // of structs inside of each other, itself among them
     bool holds_array = false;  // it, or a struct that it holds
+    SymbolId symbol;           // not valid: built in
 };
 
 struct EnumInfo {
     std::string name;
     std::vector<std::pair<std::string, std::int64_t>> members;
     SourceRange range;
+    SymbolId symbol;
+    std::vector<SymbolId> symbols;  // of the members
 };
 
 namespace types {
@@ -126,6 +137,9 @@ class TypeTable {
 
     const StructInfo& struct_of(Type type) const { return structs_[(*this)[type].definition]; }
     const EnumInfo& enum_of(Type type) const { return enums_[(*this)[type].definition]; }
+    /// The names of a struct or enum, and of an enum's members, once they are declared.
+    void set_symbol(Type type, SymbolId symbol);
+    void set_member_symbols(Type enumeration, std::vector<SymbolId> symbols);
     void set_enum_values(Type type, const std::vector<std::int64_t>& values);
     std::size_t enum_count() const { return enums_.size(); }
     const EnumInfo& enum_at(std::size_t index) const { return enums_[index]; }

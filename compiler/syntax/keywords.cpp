@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/diagnostics/syntax.h"
+#include "base/identifier.h"
 #include "base/text.h"
 #include "base/xml.h"
 #include "syntax/keyword.h"
@@ -70,10 +71,7 @@ void Loader::keyword(const XmlAttribute& name, const XmlAttribute& lexeme) {
     }
     const std::string& spelled = lexeme.value;
     // Only what the lexer takes for one identifier can be a keyword.
-    const bool is_identifier = std::all_of(spelled.begin(), spelled.end(), [](char c) {
-        return (c & 0x80) != 0 || c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-               (c >= 'A' && c <= 'Z');
-    });
+    const bool is_identifier = std::ranges::all_of(spelled, is_name_part);
     if (!is_identifier || (spelled[0] >= '0' && spelled[0] <= '9')) {
         report(diag::LanguageLexeme, lexeme.value_range).arg(shown_value(spelled));
         return;

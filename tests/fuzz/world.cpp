@@ -147,7 +147,8 @@ std::unique_ptr<Checked> check(std::string_view source) {
     LibraryOnly modules(checked->messages);
     const std::string_view text = checked->sources.text(checked->ast.file);
     checked->code = sema::check(checked->ast, world().dialect_for(text), modules, checked->sources,
-                                checked->messages);
+                                checked->messages)
+                        .code;
     return checked;
 }
 

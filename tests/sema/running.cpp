@@ -15,18 +15,6 @@ namespace {
 
 const std::string kRoot = KADR_ROOT;
 
-const syntax::KeywordTable& keywords() {
-    static const syntax::KeywordTable table = [] {
-        Sources sources;
-        DiagnosticList messages;
-        auto loaded =
-            syntax::load_keywords("en", {kRoot + "/dialects/languages"}, sources, messages);
-        if (!loaded) std::abort();
-        return std::move(*loaded);
-    }();
-    return table;
-}
-
 /// Modules from the test's own texts, then from the library.
 class TestModules final : public sema::ModuleLoader {
   public:
@@ -106,6 +94,18 @@ struct Parts {
 
 }  // namespace
 
+const syntax::KeywordTable& keywords() {
+    static const syntax::KeywordTable table = [] {
+        Sources sources;
+        DiagnosticList messages;
+        auto loaded =
+            syntax::load_keywords("en", {kRoot + "/dialects/languages"}, sources, messages);
+        if (!loaded) std::abort();
+        return std::move(*loaded);
+    }();
+    return table;
+}
+
 std::string Outcome::all_blocks() const { return joined(blocks); }
 
 std::string Outcome::all_messages() const {
@@ -138,9 +138,12 @@ Checked check_program(const std::string& source, const RunOptions& options) {
     parts->modules = std::make_unique<TestModules>(options, *checked.sources, *checked.messages);
     parts->ast = syntax::parse(*checked.sources, file, keywords(), dialect(options.source),
                                *checked.messages);
-    if (!checked.messages->has_errors()) {
-        checked.code = sema::check(parts->ast, dialect(options.source), *parts->modules,
-                                   *checked.sources, *checked.messages);
+    const bool was_read = !checked.messages->has_errors();
+    if (was_read || options.with_broken_text) {
+        sema::CheckResult result = sema::check(parts->ast, dialect(options.source), *parts->modules,
+                                               *checked.sources, *checked.messages);
+        checked.code = std::move(result.code);
+        checked.facts = std::move(result.checked);
     }
     checked.modules = parts;
     return checked;

@@ -11,6 +11,7 @@
 #include "expand/expander.h"
 #include "sema/check.h"
 #include "sema/code.h"
+#include "syntax/parse.h"
 
 namespace kadr::testing {
 
@@ -22,6 +23,7 @@ struct RunOptions {
     std::string target = "iso";                  // dialect that is asked for native cycles
     std::map<std::string, std::string> modules;  // what can be imported, by name
     bool with_stdlib = false;                    // … or the real library
+    bool with_broken_text = false;               // what has syntax errors is checked as well
     std::string file = "test.kadr";
 };
 
@@ -49,9 +51,11 @@ struct Checked {
     std::unique_ptr<Sources> sources;
     std::unique_ptr<DiagnosticList> messages;
     std::shared_ptr<void> modules;
-    std::unique_ptr<sema::Code> code;
+    std::unique_ptr<sema::Code> code;  // null: the program has errors
+    sema::Checked facts;
 };
 Checked check_program(const std::string& source, const RunOptions& options = {});
 const nc::Dialect& dialect(const std::string& name);
+const syntax::KeywordTable& keywords();
 
 }  // namespace kadr::testing
