@@ -234,8 +234,7 @@ std::vector<Proposal> Proposals::take() {
     const auto is_same = [](const Proposal& a, const Proposal& b) {
         return a.text == b.text && a.kind == b.kind;
     };
-    const auto rest = std::ranges::unique(all_, is_same);
-    all_.erase(rest.begin(), rest.end());
+    all_.erase(std::unique(all_.begin(), all_.end(), is_same), all_.end());
     return std::move(all_);
 }
 

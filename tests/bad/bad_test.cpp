@@ -23,6 +23,8 @@
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"
 
+namespace bad_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,7 +156,7 @@ std::vector<Expectation> messages_of(const std::string& err) {
     return messages;
 }
 
-class BadInput : public testing::TestWithParam<fs::path> {};
+class BadInput : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(BadInput, GivesTheRightMessage) {
     const fs::path file = GetParam();
@@ -226,7 +228,7 @@ std::vector<fs::path> all_cases() {
     return cases;
 }
 
-std::string name_of(const testing::TestParamInfo<fs::path>& info) {
+std::string name_of(const ::testing::TestParamInfo<fs::path>& info) {
     std::string name =
         info.param.parent_path().filename().string() + "_" + info.param.stem().string();
     std::replace_if(
@@ -235,7 +237,7 @@ std::string name_of(const testing::TestParamInfo<fs::path>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, BadInput, testing::ValuesIn(all_cases()), name_of);
+INSTANTIATE_TEST_SUITE_P(Files, BadInput, ::testing::ValuesIn(all_cases()), name_of);
 
 // ------------------------------------------------------------------ input that is made here
 
@@ -296,7 +298,7 @@ std::vector<Rubbish> rubbish() {
     };
 }
 
-class MadeInput : public testing::TestWithParam<Rubbish> {};
+class MadeInput : public ::testing::TestWithParam<Rubbish> {};
 
 TEST_P(MadeInput, EndsWithAMessage) {
     const Rubbish& wrong = GetParam();
@@ -309,7 +311,7 @@ TEST_P(MadeInput, EndsWithAMessage) {
     fs::remove(file);
 }
 
-INSTANTIATE_TEST_SUITE_P(Rubbish, MadeInput, testing::ValuesIn(rubbish()),
+INSTANTIATE_TEST_SUITE_P(Rubbish, MadeInput, ::testing::ValuesIn(rubbish()),
                          [](const auto& made) { return std::string(made.param.name); });
 
 struct Call {
@@ -319,7 +321,7 @@ struct Call {
     const char* words;
 };
 
-class WrongCall : public testing::TestWithParam<Call> {};
+class WrongCall : public ::testing::TestWithParam<Call> {};
 
 TEST_P(WrongCall, SaysSo) {
     std::vector<std::string> words = {KADR_BINARY};
@@ -337,7 +339,7 @@ const std::string kPrinting = std::string(KADR_ROOT) + "/tests/control/fanuc/pri
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, WrongCall,
-    testing::Values(
+    ::testing::Values(
         Call{"NothingToDo", {}, 2, "expand"}, Call{"UnknownCommand", {"explode"}, 2, "explode"},
         Call{"UnknownOption", {"expand", kExample, "--fast"}, 2, "--fast"},
         Call{"NoSource", {"expand"}, 2, "SRC"},
@@ -362,3 +364,5 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& made) { return std::string(made.param.name); });
 
 }  // namespace
+
+}  // namespace bad_test

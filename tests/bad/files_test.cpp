@@ -12,6 +12,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace files_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -505,3 +507,5 @@ TEST_F(Files, AreCheckedInTheTimeThatThereIs) {
 }
 
 }  // namespace
+
+}  // namespace files_test

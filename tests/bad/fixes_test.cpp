@@ -14,6 +14,8 @@
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"
 
+namespace fixes_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,7 +62,7 @@ std::string program_with(const std::string& line) {
            "}\n";
 }
 
-class Fixes : public testing::TestWithParam<FixCase> {
+class Fixes : public ::testing::TestWithParam<FixCase> {
   protected:
     ProcessResult check(const std::string& program, bool is_json) const {
         const fs::path file = kadr::testing::scratch("fix" + GetParam().name + ".kadr");
@@ -143,7 +145,9 @@ TEST_P(Fixes, MendTheProgram) {
     EXPECT_EQ(result.status, 0) << program << result.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(Habits, Fixes, testing::ValuesIn(all_fixes()),
+INSTANTIATE_TEST_SUITE_P(Habits, Fixes, ::testing::ValuesIn(all_fixes()),
                          [](const auto& fix) { return fix.param.name; });
 
 }  // namespace
+
+}  // namespace fixes_test

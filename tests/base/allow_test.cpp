@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::allow_test {
 namespace {
 
 std::string codes(std::string_view comment) {
@@ -30,4 +30,4 @@ TEST(Allow, CodesAndReason) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::allow_test

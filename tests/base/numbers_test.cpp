@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+namespace numbers_test {
+
 namespace {
 
 std::string fixed(double value, int decimals) {
@@ -106,3 +108,5 @@ TEST(Numbers, ParseDecimalIsStrtod) {
 }
 
 }  // namespace
+
+}  // namespace numbers_test

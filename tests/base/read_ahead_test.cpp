@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::read_ahead_test {
 namespace {
 
 /// Counts up, in portions that change, to an end; says how far it came and when it is left.
@@ -87,4 +87,4 @@ TEST(ReadAhead, MayBeLeftAtAnyTime) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::read_ahead_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::readable_test {
 namespace {
 
 TEST(Readable, IsWhatWasMeant) {
@@ -32,4 +32,4 @@ TEST(Readable, IsWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::readable_test

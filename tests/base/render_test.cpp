@@ -5,6 +5,8 @@
 
 #include "base/diagnostics/driver.h"
 
+namespace render_test {
+
 namespace {
 
 struct Fixture {
@@ -95,3 +97,5 @@ TEST(Render, JsonIsOneObjectALine) {
 }
 
 }  // namespace
+
+}  // namespace render_test

@@ -9,6 +9,8 @@
 
 #include "base/numbers.h"
 
+namespace short_number_test {
+
 namespace {
 
 using kadr::Decimal;
@@ -86,3 +88,5 @@ TEST(ShortNumber, AgreesWithTheLongWay) {
 }
 
 }  // namespace
+
+}  // namespace short_number_test

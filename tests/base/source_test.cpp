@@ -9,6 +9,8 @@
 #include "base/text.h"
 #include "tests/common/scratch.h"
 
+namespace source_test {
+
 namespace {
 
 TEST(Sources, LocatesInCharactersNotBytes) {
@@ -53,3 +55,5 @@ TEST(Text, NearestName) {
 }
 
 }  // namespace
+
+}  // namespace source_test

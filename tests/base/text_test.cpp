@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+namespace text_test {
+
 namespace {
 
 using kadr::utf8_text;
@@ -38,3 +40,5 @@ TEST(Characters, CaseOfLetters) {
 }
 
 }  // namespace
+
+}  // namespace text_test

@@ -9,7 +9,7 @@
 #include "base/text.h"
 #include "tests/common/scratch.h"
 
-namespace kadr {
+namespace kadr::xml_test {
 namespace {
 
 const XmlShape& shape() {
@@ -186,4 +186,4 @@ TEST(Xml, LongNamesAreCutBetweenCharacters) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::xml_test

@@ -21,7 +21,7 @@
 #include "path/vec3.h"
 #include "tests/nc/nc_testing.h"
 
-namespace kadr::interp {
+namespace kadr::interp::compressed_chains_test {
 
 using macro::NcProgram;
 namespace {
@@ -263,4 +263,4 @@ TEST(CompressedSpiral, IsAsLongAsItsLines) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::compressed_chains_test

@@ -60,7 +60,7 @@
 #include "nc/tables.h"
 #include "tests/control/control_machines.h"
 
-namespace kadr::interp {
+namespace kadr::interp::control_test {
 
 using macro::ControlVariable;
 using macro::LineWatch;
@@ -826,7 +826,7 @@ struct Case {
     std::string dialect;
 };
 
-class Control : public testing::TestWithParam<Case> {};
+class Control : public ::testing::TestWithParam<Case> {};
 
 TEST_P(Control, DoesWhatTheManualSays) {
     const fs::path& file = GetParam().file;
@@ -874,7 +874,7 @@ std::vector<Case> cases() {
     return all;
 }
 
-std::string test_name(const testing::TestParamInfo<Case>& test) {
+std::string test_name(const ::testing::TestParamInfo<Case>& test) {
     std::string name = test.param.dialect + '_' +
                        test.param.file.parent_path().filename().string() + '_' +
                        test.param.file.stem().string();
@@ -883,7 +883,7 @@ std::string test_name(const testing::TestParamInfo<Case>& test) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, Control, ::testing::ValuesIn(cases()), test_name);
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::control_test

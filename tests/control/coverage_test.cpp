@@ -16,7 +16,7 @@
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::coverage_test {
 
 using macro::NcProgram;
 using macro::ProgramOptions;
@@ -99,7 +99,7 @@ std::map<std::string, std::string> explained(const std::string& name) {
     return entries;
 }
 
-class Coverage : public testing::TestWithParam<std::string> {};
+class Coverage : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Coverage, EveryEntryIsUsedOrExplained) {
     Sources sources;
@@ -135,7 +135,7 @@ std::vector<std::string> all_dialects() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, Coverage, testing::ValuesIn(all_dialects()),
+INSTANTIATE_TEST_SUITE_P(Dialects, Coverage, ::testing::ValuesIn(all_dialects()),
                          [](const auto& test) {
                              std::string name = test.param;
                              std::ranges::replace(name, '-', '_');
@@ -143,4 +143,4 @@ INSTANTIATE_TEST_SUITE_P(Dialects, Coverage, testing::ValuesIn(all_dialects()),
                          });
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::coverage_test

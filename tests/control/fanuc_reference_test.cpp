@@ -13,14 +13,14 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr {
+namespace kadr::fanuc_reference_test {
 namespace {
 
 namespace fs = std::filesystem;
 
 const fs::path kPrograms = fs::path(KADR_ROOT) / "tests/control";
 
-class FanucReference : public testing::TestWithParam<fs::path> {};
+class FanucReference : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(FanucReference, EveryRowHasAProgramOrAReason) {
     std::ifstream lines(GetParam());
@@ -66,7 +66,7 @@ std::vector<fs::path> lists() {
     return files;
 }
 
-INSTANTIATE_TEST_SUITE_P(Controls, FanucReference, testing::ValuesIn(lists()),
+INSTANTIATE_TEST_SUITE_P(Controls, FanucReference, ::testing::ValuesIn(lists()),
                          [](const auto& test) {
                              std::string name = test.param.stem();
                              std::ranges::replace(name, '-', '_');
@@ -74,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Controls, FanucReference, testing::ValuesIn(lists()),
                          });
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::fanuc_reference_test

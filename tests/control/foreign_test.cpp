@@ -17,7 +17,7 @@
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::foreign_test {
 
 using macro::NcProgram;
 namespace {
@@ -48,7 +48,7 @@ std::string fix_of(const nc::Dialect& dialect, const std::string& line) {
     return advice;
 }
 
-class ForeignWords : public testing::TestWithParam<const char*> {};
+class ForeignWords : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ForeignWords, HaveTheirFix) {
     Sources sources;
@@ -73,8 +73,8 @@ TEST_P(ForeignWords, HaveTheirFix) {
     if (std::getenv("KADR_UPDATE") != nullptr) write_file_whole(file.string(), today);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, ForeignWords, testing::Values("sinumerik", "fanuc"),
+INSTANTIATE_TEST_SUITE_P(Dialects, ForeignWords, ::testing::Values("sinumerik", "fanuc"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::foreign_test

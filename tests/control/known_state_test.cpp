@@ -33,7 +33,7 @@
 #include "write/modal.h"
 #include "write/writer.h"
 
-namespace kadr::control_testing {
+namespace kadr::control_testing::known_state_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -390,4 +390,4 @@ TEST(KnownState, OfBlocksThatMayBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace kadr::control_testing
+}  // namespace kadr::control_testing::known_state_test

@@ -10,7 +10,7 @@
 #include "tests/control/property_bench.h"
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::control_testing {
+namespace kadr::control_testing::oriented_property_test {
 namespace {
 
 using nc::Slot;
@@ -221,4 +221,4 @@ RC_GTEST_PROP(OrientedProgram, OfAxiomaExecutesAlikeWhenRead, ()) {
 RC_GTEST_PROP(TiltedProgram, OfFanucExecutesAlikeWhenRead, ()) { check("fanuc", any_tilted()); }
 
 }  // namespace
-}  // namespace kadr::control_testing
+}  // namespace kadr::control_testing::oriented_property_test

@@ -13,7 +13,7 @@
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::planes_test {
 
 using macro::NcProgram;
 namespace {
@@ -36,7 +36,7 @@ std::string in_plane(std::string_view program, int turns) {
     return out;
 }
 
-struct Planes : testing::Test {
+struct Planes : ::testing::Test {
     Sources sources;
     DiagnosticList messages;
     std::optional<nc::Dialect> dialect =
@@ -136,4 +136,4 @@ TEST_F(Planes, ArePreferredByNothing) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::planes_test

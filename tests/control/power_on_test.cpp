@@ -15,7 +15,7 @@
 #include "tests/common/whole_text.h"
 #include "tests/control/control_machines.h"
 
-namespace kadr::interp {
+namespace kadr::interp::power_on_test {
 
 using macro::NcProgram;
 namespace {
@@ -23,7 +23,7 @@ namespace {
 /// SINUMERIK with another default of one group; nothing: as it is delivered.
 nc::Dialect control(const std::string& group, const std::string& functions) {
     const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / ("kadr_power_on_" + std::to_string(getpid()));
+        std::filesystem::path(::testing::TempDir()) / ("kadr_power_on_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     std::ofstream(folder / "other.xml")
         << "<dialect name=\"other\" extends=\"sinumerik\" title=\"other\" suffix=\"mpf\">"
@@ -81,7 +81,7 @@ const char* const kTurn =
     "S1000 M3\nROT Z90\nTRAORI\nG1 X10 A2=30 B2=45 C2=20 F1000\n"
     "X20 A2=-40 B2=20 C2=5\nM30\n";
 
-class PowerOn : public testing::TestWithParam<Row> {};
+class PowerOn : public ::testing::TestWithParam<Row> {};
 
 TEST_P(PowerOn, ADefaultActsAsItsCode) {
     const Row& row = GetParam();
@@ -95,7 +95,7 @@ TEST_P(PowerOn, ADefaultActsAsItsCode) {
 
 INSTANTIATE_TEST_SUITE_P(
     Groups, PowerOn,
-    testing::Values(
+    ::testing::Values(
         Row{"1", "rapid", "G0", "X10\nM30\n"},
         Row{"1", "polynomial", "POLY", "S1000 M3 F100\nPO[X]=(10,2)\nM30\n"},
         Row{"6", "plane_zx", "G18", "S1000 M3\nG3 X5 Z-5 I0 K-5 F100\nM30\n"},
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"coolant", "coolant_flood", "M8", "G0 X10\nM30\n"}));
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::power_on_test

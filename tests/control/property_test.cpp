@@ -26,7 +26,7 @@
 #include "tests/control/random_program.h"
 #include "write/writer.h"
 
-namespace kadr::control_testing {
+namespace kadr::control_testing::property_test {
 namespace {
 
 using nc::Block;
@@ -269,4 +269,4 @@ RC_GTEST_PROP(FlatProgram, OfFanucExecutesAlikeWhenRead, ()) { check_flat("fanuc
 RC_GTEST_PROP(FlatProgram, OfAxiomaExecutesAlikeWhenRead, ()) { check_flat("axioma"); }
 
 }  // namespace
-}  // namespace kadr::control_testing
+}  // namespace kadr::control_testing::property_test

@@ -15,7 +15,7 @@
 #include "nc/tables.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::rows_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,7 +148,7 @@ class Evidence {
     std::string variables_;
 };
 
-class Rows : public testing::TestWithParam<const char*> {};
+class Rows : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Rows, ChaptersAreComplete) {
     const RowList list = read_list(GetParam());
@@ -198,7 +198,7 @@ TEST_P(Rows, EachRowHasItsTests) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Rows, testing::Values("sinumerik", "axioma"),
+INSTANTIATE_TEST_SUITE_P(, Rows, ::testing::Values("sinumerik", "axioma"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(RowsOfSinumerik, NoAlarmOfTheDialectIsWithoutARow) {
@@ -215,4 +215,4 @@ TEST(RowsOfSinumerik, NoAlarmOfTheDialectIsWithoutARow) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::rows_test

@@ -17,7 +17,7 @@
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::variables_test {
 
 using macro::NcProgram;
 using macro::ProgramOptions;
@@ -55,7 +55,7 @@ std::string with_lines(std::string text) {
     return text;
 }
 
-class Variables : public testing::TestWithParam<std::string> {};
+class Variables : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Variables, AreReadOrWrittenAsWritten) {
     Sources sources;
@@ -93,8 +93,8 @@ std::string test_name(std::string name) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, Variables,
-                         testing::Values("sinumerik", "axioma", "fanuc", "fanuc-lathe"),
+                         ::testing::Values("sinumerik", "axioma", "fanuc", "fanuc-lathe"),
                          [](const auto& test) { return test_name(test.param); });
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::variables_test

@@ -15,7 +15,7 @@
 #include "nc/dialect.h"
 #include "write/check.h"
 
-namespace kadr {
+namespace kadr::words_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-class Words : public testing::TestWithParam<std::string> {};
+class Words : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Words, MeanWhatIsWritten) {
     Sources sources;
@@ -70,8 +70,8 @@ std::vector<std::string> all_words() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Dialects, Words, testing::ValuesIn(all_words()),
+INSTANTIATE_TEST_SUITE_P(Dialects, Words, ::testing::ValuesIn(all_words()),
                          [](const auto& test) { return replaced(test.param, "-", "_"); });
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::words_test

@@ -14,6 +14,8 @@
 #include "base/text.h"
 #include "tests/common/process.h"
 
+namespace docs_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -42,7 +44,7 @@ std::vector<Fence> fences(const std::string& file) {
     return found;
 }
 
-class Docs : public testing::Test {
+class Docs : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("kadr-docs-" + std::to_string(::getpid()));
@@ -496,3 +498,5 @@ TEST_F(Docs, PicturesOfMotionAreWhatIsDrawnToday) {
 }
 
 }  // namespace
+
+}  // namespace docs_test

@@ -12,6 +12,8 @@
 #include "base/text.h"
 #include "tests/common/process.h"
 
+namespace warnings_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +31,7 @@ constexpr const char* kShop = R"(<?xml version="1.0" encoding="UTF-8"?>
 </machine>
 )";
 
-class Warnings : public testing::Test {
+class Warnings : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("kadr-warnings-" + std::to_string(::getpid()));
@@ -318,3 +320,5 @@ TEST_F(Warnings, DoNotMeetTheMFunctionsOfTheBuilder) {
 }
 
 }  // namespace
+
+}  // namespace warnings_test

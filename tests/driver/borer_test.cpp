@@ -12,6 +12,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace borer_test {
+
 namespace {
 
 using nlohmann::json;
@@ -159,3 +161,5 @@ TEST_F(Borer, TheCubeIsDrilledInItsFourSides) {
 }
 
 }  // namespace
+
+}  // namespace borer_test

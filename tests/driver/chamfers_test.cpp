@@ -12,6 +12,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace chamfers_test {
+
 namespace {
 
 using kadr::read_file;
@@ -176,3 +178,5 @@ TEST_F(Chamfers, CommandsAreTheSameOnEveryMachineButForRotaryAxes) {
 }
 
 }  // namespace
+
+}  // namespace chamfers_test

@@ -13,6 +13,8 @@
 #include "base/text.h"
 #include "tests/common/process.h"
 
+namespace cli_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -31,7 +33,7 @@ constexpr const char* kSquare =
 constexpr const char* kWrong = "program wrong() {\n    G1 X=nothing;\n}\n";
 constexpr const char* kFailing = "program failing() {\n    G0 X1;\n    error(\"too deep\");\n}\n";
 
-class CommandLine : public testing::Test {
+class CommandLine : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("kadr-cli-" + std::to_string(::getpid()));
@@ -744,3 +746,5 @@ TEST_F(CommandLine, FormatRewritesAFileOrOnlyLooks) {
 }
 
 }  // namespace
+
+}  // namespace cli_test

@@ -6,6 +6,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace compare_test {
+
 namespace {
 
 using nlohmann::json;
@@ -145,3 +147,5 @@ TEST_F(Compare, ACutterOnASurfaceIsComparedByItsTip) {
 }
 
 }  // namespace
+
+}  // namespace compare_test

@@ -13,6 +13,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace compensated_orientation_test {
+
 namespace {
 
 using kadr::read_file;
@@ -165,3 +167,5 @@ TEST_F(ATurningTool, StandsAsProgrammedBesideFanucsSide) {
 }
 
 }  // namespace
+
+}  // namespace compensated_orientation_test

@@ -20,6 +20,8 @@
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"
 
+namespace control_row_examples_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,7 +122,7 @@ std::string text_of(const DiagnosticRow& row, const std::string& example, const 
     return (blocks.starts_with('O') ? "%\n" : "%\nO0001\n") + body + "%\n";
 }
 
-class ControlRowExamples : public testing::Test {
+class ControlRowExamples : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = kadr::testing::scratch("control-rows");
@@ -199,3 +201,5 @@ TEST_F(ControlRowExamples, WrongOnesCauseTheirMessageAndRightOnesNone) {
 }
 
 }  // namespace
+
+}  // namespace control_row_examples_test

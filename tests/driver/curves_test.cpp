@@ -7,6 +7,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace curves_test {
+
 namespace {
 
 using kadr::test::Row;
@@ -138,3 +140,5 @@ TEST_F(Curves, WhatCannotBeIsAnAlarm) {
 }
 
 }  // namespace
+
+}  // namespace curves_test

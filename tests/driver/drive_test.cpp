@@ -10,6 +10,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace drive_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,3 +115,5 @@ TEST_F(Drives, ADriveThatIsTooWeakIsSaid) {
 }
 
 }  // namespace
+
+}  // namespace drive_test

@@ -13,6 +13,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace five_axis_test {
+
 namespace {
 
 using kadr::read_file;
@@ -486,3 +488,5 @@ TEST_F(FiveAxis, ToolsTurnInProportionAlongSplinesOnEveryMachine) {
 }
 
 }  // namespace
+
+}  // namespace five_axis_test

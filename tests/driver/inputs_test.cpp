@@ -10,6 +10,8 @@
 #include "driver/operator_events.h"
 #include "tests/driver/scratch.h"
 
+namespace inputs_test {
+
 namespace {
 
 using nlohmann::json;
@@ -717,3 +719,5 @@ TEST_F(Inputs, WrongCallsAreTold) {
 }
 
 }  // namespace
+
+}  // namespace inputs_test

@@ -15,6 +15,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace inside_corners_test {
+
 namespace {
 
 using kadr::read_file;
@@ -219,7 +221,7 @@ TEST_F(ATurningCutter, StandsAtTheCornerAsThatIsProgrammed) {
                  {10, 0, {-0.8, 0.2, 1}},
                  {10, 6, {0.5, 0.5, 1}}};
     for (const auto& at : cases) {
-        SCOPED_TRACE(testing::Message() << at.radius << ' ' << at.depth);
+        SCOPED_TRACE(::testing::Message() << at.radius << ' ' << at.depth);
         Contour contour{true, at.radius, at.depth, {}};
         const Vec3 up = Vec3::UnitZ();
         contour.walls[0] = {{0, 0, 0}, {40, 0, 0}, up, up, true};
@@ -234,3 +236,5 @@ TEST_F(ATurningCutter, StandsAtTheCornerAsThatIsProgrammed) {
 }
 
 }  // namespace
+
+}  // namespace inside_corners_test

@@ -10,6 +10,8 @@
 #include "bench/laser_points.h"
 #include "tests/driver/scratch.h"
 
+namespace laser_test {
+
 namespace {
 
 using kadr::read_file;
@@ -197,3 +199,5 @@ TEST_F(Laser, PowerFollowsTheSpeed) {
 }
 
 }  // namespace
+
+}  // namespace laser_test

@@ -6,6 +6,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace limit_report_test {
+
 namespace {
 
 class LimitReports : public kadr::test::ScratchFolder {
@@ -79,3 +81,5 @@ TEST_F(LimitReports, OfAPulsedLaser) {
 }
 
 }  // namespace
+
+}  // namespace limit_report_test

@@ -14,6 +14,8 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
+namespace limits_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,3 +115,5 @@ TEST(TickLimits, OfEveryExample) {
 }
 
 }  // namespace
+
+}  // namespace limits_test

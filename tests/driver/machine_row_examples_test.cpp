@@ -20,6 +20,8 @@
 #include "tests/common/messages.h"
 #include "tests/driver/scratch.h"
 
+namespace machine_row_examples_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -272,3 +274,5 @@ TEST_F(MachineRowExamples, WrongOnesCauseTheirMessageAndRightOnesNone) {
 }
 
 }  // namespace
+
+}  // namespace machine_row_examples_test

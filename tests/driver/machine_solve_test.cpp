@@ -5,6 +5,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace machine_solve_test {
+
 namespace {
 
 using nlohmann::json;
@@ -169,3 +171,5 @@ TEST_F(MachineSolve, ProgramsForThreeAxesRunOnEveryStockMachine) {
 }
 
 }  // namespace
+
+}  // namespace machine_solve_test

@@ -10,13 +10,15 @@
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/sema.h"
 
+namespace messages_test {
+
 namespace {
 
 using namespace kadr;
 using driver::MessageFormat;
 using driver::Messages;
 
-class MessageSink : public testing::Test {
+class MessageSink : public ::testing::Test {
   protected:
     Messages make(MessageFormat format, std::size_t repeats = 20) {
         return {sources_, {format, false, repeats}, [this](std::string_view text) {
@@ -105,3 +107,5 @@ TEST_F(MessageSink, WarningsAreSilencedWhereTheyStand) {
 }
 
 }  // namespace
+
+}  // namespace messages_test

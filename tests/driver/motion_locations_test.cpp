@@ -8,6 +8,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace motion_locations_test {
+
 namespace {
 
 class MotionPlaces : public kadr::test::ScratchFolder {
@@ -118,3 +120,5 @@ TEST_F(MotionPlaces, ForPrograms) {
 }
 
 }  // namespace
+
+}  // namespace motion_locations_test

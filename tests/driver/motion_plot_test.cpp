@@ -9,6 +9,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace motion_plot_test {
+
 namespace {
 
 using namespace kadr;
@@ -156,3 +158,5 @@ TEST_F(CurvesOfARun, AreDrawnForAWindow) {
 }
 
 }  // namespace
+
+}  // namespace motion_plot_test

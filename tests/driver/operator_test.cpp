@@ -9,6 +9,8 @@
 #include "driver/operator_events.h"
 #include "tests/driver/scratch.h"
 
+namespace operator_test {
+
 namespace {
 
 using kadr::driver::block_name;
@@ -225,3 +227,5 @@ TEST_F(Operator, MFunctionsTakeTheMachineTime) {
 }
 
 }  // namespace
+
+}  // namespace operator_test

@@ -10,6 +10,8 @@
 
 #include "tests/driver/same_paths.h"
 
+namespace orient_test {
+
 namespace {
 
 using kadr::test::Way;
@@ -248,3 +250,5 @@ TEST_F(Orient, WhatCannotBeSaidIsRefused) {
 }
 
 }  // namespace
+
+}  // namespace orient_test

@@ -12,13 +12,15 @@
 #include "base/text.h"
 #include "driver/output_names.h"
 
+namespace output_test {
+
 namespace {
 
 namespace fs = std::filesystem;
 using namespace kadr;
 using driver::Output;
 
-class Outputs : public testing::Test {
+class Outputs : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("kadr-output-" + std::to_string(::getpid()));
@@ -119,3 +121,5 @@ TEST_F(Outputs, AreHeldApart) {
 }
 
 }  // namespace
+
+}  // namespace output_test

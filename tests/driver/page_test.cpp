@@ -15,6 +15,8 @@
 #include "driver/page_trace.h"
 #include "tests/driver/scratch.h"
 
+namespace page_test {
+
 namespace {
 
 using namespace kadr;
@@ -284,3 +286,5 @@ TEST_F(PageOfARun, NeedsATemplate) {
 }
 
 }  // namespace
+
+}  // namespace page_test

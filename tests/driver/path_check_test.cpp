@@ -11,7 +11,7 @@
 #include "driver/run.h"
 #include "tests/driver/scratch.h"
 
-namespace kadr {
+namespace kadr::path_check_test {
 namespace {
 
 const std::string kText =
@@ -107,4 +107,4 @@ TEST_F(PathCheckTest, AMotionThatIsLeftOutIsOne) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::path_check_test

@@ -6,6 +6,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace pipeline_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -97,3 +99,5 @@ TEST_F(PipelineRun, ModulesThatNobodyHasAreSaid) {
 }
 
 }  // namespace
+
+}  // namespace pipeline_test

@@ -12,13 +12,15 @@
 #include "driver/plot_scene.h"
 #include "driver/plot_svg.h"
 
+namespace plot_test {
+
 namespace {
 
 using namespace kadr;
 using namespace kadr::driver;
 using path::Vec3;
 
-class Plot : public testing::Test {
+class Plot : public ::testing::Test {
   protected:
     void go(motion::SegmentKind kind, const path::Curve& curve, double feed) {
         motion::Segment segment;
@@ -252,3 +254,5 @@ TEST_F(Plot, NamesOfTheMarksStayInsideTheFrame) {
 }
 
 }  // namespace
+
+}  // namespace plot_test

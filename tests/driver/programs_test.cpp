@@ -18,6 +18,8 @@
 #include "driver/expand.h"
 #include "driver/run.h"
 
+namespace programs_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -221,7 +223,7 @@ class ScratchFolder {
     fs::path path_;
 };
 
-class Programs : public testing::TestWithParam<std::string> {};
+class Programs : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Programs, DoWhatTheirCommentsSay) {
     const fs::path file = kPrograms / GetParam();
@@ -254,7 +256,7 @@ std::vector<std::string> all_programs() {
     return {names.begin(), names.end()};
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info) {
+std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
     std::string name = info.param.substr(0, info.param.rfind('.'));
     std::replace_if(
         name.begin(), name.end(),
@@ -262,6 +264,8 @@ std::string test_name(const testing::TestParamInfo<std::string>& info) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Programs, testing::ValuesIn(all_programs()), test_name);
+INSTANTIATE_TEST_SUITE_P(All, Programs, ::testing::ValuesIn(all_programs()), test_name);
 
 }  // namespace
+
+}  // namespace programs_test

@@ -23,6 +23,8 @@
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"
 
+namespace row_examples_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,7 +84,7 @@ bool is_about_source(const DiagnosticRow& row) {
            row.code.starts_with("K41") || row.code.starts_with("K42");
 }
 
-class RowExamples : public testing::Test {
+class RowExamples : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = kadr::testing::scratch("rows");
@@ -171,3 +173,5 @@ TEST_F(RowExamples, OfTestsFailAndHoldAsTheySay) {
 }
 
 }  // namespace
+
+}  // namespace row_examples_test

@@ -13,6 +13,8 @@
 
 #include "tests/driver/same_paths.h"
 
+namespace same_orientation_test {
+
 namespace {
 
 using kadr::test::Way;
@@ -151,3 +153,5 @@ TEST_F(SameOrientation, ThreeLanguagesLeadTipAndToolAlike) {
 }
 
 }  // namespace
+
+}  // namespace same_orientation_test

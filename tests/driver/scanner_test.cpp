@@ -11,6 +11,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace scanner_test {
+
 namespace {
 
 using kadr::read_file;
@@ -240,3 +242,5 @@ TEST_F(Scanner, TheTableOfAMachine) {
 }
 
 }  // namespace
+
+}  // namespace scanner_test

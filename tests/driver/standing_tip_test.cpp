@@ -13,6 +13,8 @@
 #include "machine/machine.h"
 #include "tests/driver/scratch.h"
 
+namespace standing_tip_test {
+
 namespace {
 
 using kadr::Axis;
@@ -165,3 +167,5 @@ TEST_F(StandingTip, TheTravelEndsWhereAnAxisTurnsBack) {
 }
 
 }  // namespace
+
+}  // namespace standing_tip_test

@@ -7,6 +7,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace stops_test {
+
 namespace {
 
 class Stops : public kadr::test::ScratchFolder {
@@ -49,3 +51,5 @@ TEST_F(Stops, NoCornerBesideASplineIsSlower) {
 }
 
 }  // namespace
+
+}  // namespace stops_test

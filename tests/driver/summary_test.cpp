@@ -19,6 +19,8 @@
 #include "base/text.h"
 #include "driver/setpoints.h"
 
+namespace summary_test {
+
 namespace {
 
 using namespace kadr;
@@ -207,3 +209,5 @@ TEST(Setpoints, ArrayIsOneOfNumPy) {
 }
 
 }  // namespace
+
+}  // namespace summary_test

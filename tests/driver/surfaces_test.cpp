@@ -18,6 +18,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace surfaces_test {
+
 namespace {
 
 using kadr::read_file;
@@ -263,3 +265,5 @@ TEST_F(OnEveryMill, ThreeAxesKeepToTheSphereToo) {
 }
 
 }  // namespace
+
+}  // namespace surfaces_test

@@ -11,6 +11,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace taps_test {
+
 namespace {
 
 using kadr::test::Row;
@@ -179,3 +181,5 @@ TEST_F(Taps, AMacroSuppressesThePanel) {
 }
 
 }  // namespace
+
+}  // namespace taps_test

@@ -15,6 +15,8 @@
 #include "sema/code.h"
 #include "tests/common/process.h"
 
+namespace test_command_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -29,7 +31,7 @@ struct Outcome {
     bool has(const std::string& words) const { return messages.find(words) != std::string::npos; }
 };
 
-class TestCommand : public testing::Test {
+class TestCommand : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("kadr-test-" + std::to_string(::getpid()));
@@ -558,3 +560,5 @@ TEST(TestProgram, ExitStatusAndList) {
 }
 
 }  // namespace
+
+}  // namespace test_command_test

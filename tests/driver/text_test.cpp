@@ -7,6 +7,8 @@
 #include "driver/file_text.h"
 #include "driver/line_map.h"
 
+namespace text_test {
+
 namespace {
 
 using namespace kadr;
@@ -64,3 +66,5 @@ TEST(LibraryCycles, UnknownCycleIsReported) {
 }
 
 }  // namespace
+
+}  // namespace text_test

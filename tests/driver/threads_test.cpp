@@ -7,6 +7,8 @@
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 
+namespace threads_test {
+
 namespace {
 
 using kadr::read_file;
@@ -115,3 +117,5 @@ TEST_F(Threads, NothingElseThanOnOrOff) {
 }
 
 }  // namespace
+
+}  // namespace threads_test

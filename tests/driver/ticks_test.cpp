@@ -7,6 +7,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace ticks_test {
+
 namespace {
 
 using kadr::read_file;
@@ -84,3 +86,5 @@ TEST_F(Ticks, EveryFourthSetpointAtAQuarterOfTheTickIsOneAtTheTick) {
 }
 
 }  // namespace
+
+}  // namespace ticks_test

@@ -12,6 +12,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace tilted_plane_test {
+
 namespace {
 
 using nlohmann::json;
@@ -293,3 +295,5 @@ TEST_F(Tilt, TheAxesOfEveryMachineBringTheTipToThePlane) {
 }
 
 }  // namespace
+
+}  // namespace tilted_plane_test

@@ -15,7 +15,7 @@
 #include "driver/session.h"
 #include "tests/common/process.h"
 
-namespace kadr {
+namespace kadr::trace_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,7 +49,7 @@ constexpr const char* kKadr =
     "    }\n"
     "}\n";
 
-class TraceTest : public testing::Test {
+class TraceTest : public ::testing::Test {
   protected:
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("kadr-trace-" + std::to_string(::getpid()));
@@ -616,4 +616,4 @@ TEST(BreakPoints, Places) {
 }
 
 }  // namespace
-}  // namespace kadr
+}  // namespace kadr::trace_test

@@ -6,6 +6,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace work_times_test {
+
 namespace {
 
 using nlohmann::json;
@@ -95,3 +97,5 @@ TEST_F(WorkTimes, NameLinesOfForeignText) {
 }
 
 }  // namespace
+
+}  // namespace work_times_test

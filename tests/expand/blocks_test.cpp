@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::blocks_test {
 namespace {
 
 struct Row {
@@ -110,4 +110,4 @@ TEST(Blocks, Units) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::blocks_test

@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::contours_test {
 namespace {
 
 struct Row {
@@ -242,4 +242,4 @@ TEST(Contours, MistakesHaveTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::contours_test

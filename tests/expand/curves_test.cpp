@@ -6,7 +6,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::curves_test {
 namespace {
 
 const std::string kEllipse =
@@ -255,4 +255,4 @@ TEST(Curves, FaultsInsideShowTheWay) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::curves_test

@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::diameter_test {
 namespace {
 
 struct Row {
@@ -131,4 +131,4 @@ TEST(Diameter, TurningWithoutAWordOfItIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::diameter_test

@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::faults_test {
 namespace {
 
 TEST(Faults, StandWhereTheyHappen) {
@@ -120,4 +120,4 @@ TEST(Faults, MessagesOfTheAuthor) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::faults_test

@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::functions_test {
 namespace {
 
 struct Row {
@@ -145,4 +145,4 @@ TEST(Functions, TextsAndArraysAreReused) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::functions_test

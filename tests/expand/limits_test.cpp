@@ -6,7 +6,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::limits_test {
 namespace {
 
 RunOptions with_limits(expand::RunLimits limits) {
@@ -151,4 +151,4 @@ TEST(Limits, TimeInTurnsThatDoMuch) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::limits_test

@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::modal_test {
 namespace {
 
 struct Row {
@@ -156,4 +156,4 @@ TEST(Modal, PreservesIsHeldToItsPromise) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::modal_test

@@ -6,7 +6,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::native_test {
 namespace {
 
 RunOptions target(const std::string& name) {
@@ -93,4 +93,4 @@ TEST(Native, TheInterpreterGetsTheMoves) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::native_test

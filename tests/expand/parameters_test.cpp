@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::parameters_test {
 namespace {
 
 RunOptions with(std::vector<sema::Define> defines, std::string program = "") {
@@ -83,4 +83,4 @@ TEST(Parameters, TheOnlyProgramOrTheNamedOne) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::parameters_test

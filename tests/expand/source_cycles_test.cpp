@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::source_cycles_test {
 namespace {
 
 /// A source says its dialect in its first line.
@@ -239,4 +239,4 @@ TEST(SourceCycles, ContractsAreTheLibrarys) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::source_cycles_test

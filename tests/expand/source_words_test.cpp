@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::source_words_test {
 namespace {
 
 Outcome run_source(const std::string& dialect, const std::string& statements,
@@ -55,4 +55,4 @@ TEST(SourceWords, AStationIsItsToolWhereTheOffsetIsItsOwn) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::source_words_test

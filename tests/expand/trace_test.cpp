@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::trace_test {
 namespace {
 
 TEST(Trace, CallsAndLoops) {
@@ -33,4 +33,4 @@ TEST(Trace, CallsAndLoops) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::trace_test

@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::unknown_test {
 namespace {
 
 struct Row {
@@ -199,4 +199,4 @@ TEST(Unknown, CoordinatesOfOnePointOnly) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::unknown_test

@@ -11,7 +11,7 @@
 #include "control/frame_steps.h"
 #include "control/frames.h"
 
-namespace kadr::control {
+namespace kadr::control::frames_law_test {
 namespace {
 
 using nc::Function;
@@ -169,4 +169,4 @@ RC_GTEST_PROP(FramesLaw, NormalFormAndProductAreTheSame, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::control
+}  // namespace kadr::control::frames_law_test

@@ -8,12 +8,14 @@
 #include "tests/common/process.h"
 #include "tests/golden/parts.h"
 
+namespace golden_test {
+
 namespace {
 
 using golden::Part;
 namespace fs = std::filesystem;
 
-class Golden : public testing::TestWithParam<Part> {};
+class Golden : public ::testing::TestWithParam<Part> {};
 
 TEST_P(Golden, TextPerControl) {
     for (const std::string& dialect : GetParam().dialects()) {
@@ -32,7 +34,9 @@ TEST_P(Golden, TextPerControl) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, Golden, testing::ValuesIn(golden::all_parts()),
+INSTANTIATE_TEST_SUITE_P(Parts, Golden, ::testing::ValuesIn(golden::all_parts()),
                          [](const auto& part) { return golden::name_of(part); });
 
 }  // namespace
+
+}  // namespace golden_test

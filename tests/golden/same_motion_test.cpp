@@ -11,6 +11,8 @@
 #include "tests/common/process.h"
 #include "tests/golden/parts.h"
 
+namespace same_motion_test {
+
 namespace {
 
 using golden::Part;
@@ -188,7 +190,7 @@ std::vector<json> places_of(const std::filesystem::path& file, const std::string
     return commands;
 }
 
-class InputDialect : public testing::TestWithParam<Pair> {};
+class InputDialect : public ::testing::TestWithParam<Pair> {};
 
 TEST_P(InputDialect, SourceMovesAsItsTextDoes) {
     const Pair& pair = GetParam();
@@ -202,7 +204,7 @@ TEST_P(InputDialect, SourceMovesAsItsTextDoes) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, InputDialect, testing::ValuesIn(all_pairs()),
+INSTANTIATE_TEST_SUITE_P(Pairs, InputDialect, ::testing::ValuesIn(all_pairs()),
                          [](const auto& pair) { return pair.param.source.stem().string(); });
 
 // ---------------------------------------------------------------- controls made by the document
@@ -275,7 +277,7 @@ std::vector<json> axis_moves_of(const Part& part, const std::string& dialect,
     return moves;
 }
 
-class SameAxes : public testing::TestWithParam<Part> {};
+class SameAxes : public ::testing::TestWithParam<Part> {};
 
 TEST_P(SameAxes, WithLengthsAndWorkOffsets) {
     const Part part{GetParam().source, GetParam().source.parent_path() / "mill.xml"};
@@ -292,11 +294,11 @@ TEST_P(SameAxes, WithLengthsAndWorkOffsets) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, SameAxes,
-                         testing::ValuesIn(golden::parts_of(golden::fs::path(KADR_ROOT) /
-                                                            "tests/golden/lengths")),
+                         ::testing::ValuesIn(golden::parts_of(golden::fs::path(KADR_ROOT) /
+                                                              "tests/golden/lengths")),
                          [](const auto& part) { return golden::name_of(part); });
 
-class SameMotion : public testing::TestWithParam<Part> {};
+class SameMotion : public ::testing::TestWithParam<Part> {};
 
 TEST_P(SameMotion, OnEveryControl) {
     const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
@@ -354,7 +356,9 @@ TEST_P(SameMotion, OnControlsMadeByTheDocument) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, SameMotion, testing::ValuesIn(golden::all_parts()),
+INSTANTIATE_TEST_SUITE_P(Parts, SameMotion, ::testing::ValuesIn(golden::all_parts()),
                          [](const auto& part) { return golden::name_of(part); });
 
 }  // namespace
+
+}  // namespace same_motion_test

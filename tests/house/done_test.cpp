@@ -10,6 +10,8 @@
 
 #include "base/text.h"
 
+namespace done_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -116,3 +118,5 @@ TEST(House, AQuestionThatReportsIsFound) {
 }
 
 }  // namespace
+
+}  // namespace done_test

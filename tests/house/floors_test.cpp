@@ -12,6 +12,8 @@
 
 #include "base/text.h"
 
+namespace floors_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -276,3 +278,5 @@ TEST(House, FoldsAnswerEveryEffect) {
 }
 
 }  // namespace
+
+}  // namespace floors_test

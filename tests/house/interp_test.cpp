@@ -10,6 +10,8 @@
 
 #include "base/text.h"
 
+namespace interp_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -91,3 +93,5 @@ TEST(Interp, NoQuestionIsDone) {
 }
 
 }  // namespace
+
+}  // namespace interp_test

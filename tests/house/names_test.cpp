@@ -10,6 +10,8 @@
 
 #include "base/text.h"
 
+namespace names_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,3 +58,5 @@ TEST(House, ATypeIsFoundByItsDefinition) {
 }
 
 }  // namespace
+
+}  // namespace names_test

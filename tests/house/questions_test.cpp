@@ -9,6 +9,8 @@
 
 #include "base/text.h"
 
+namespace questions_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,3 +78,5 @@ TEST(House, AQuestionThatMayChangeItsObjectIsFound) {
 }
 
 }  // namespace
+
+}  // namespace questions_test

@@ -12,6 +12,8 @@
 
 #include "base/text.h"
 
+namespace sizes_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,3 +251,5 @@ TEST(House, ACountOfMembersSeesThem) {
 }
 
 }  // namespace
+
+}  // namespace sizes_test

@@ -17,6 +17,8 @@
 #include "base/text.h"
 #include "tests/common/examples.h"
 
+namespace table_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -196,3 +198,5 @@ TEST(DiagnosticTable, EveryRowIsShownByATest) {
 }
 
 }  // namespace
+
+}  // namespace table_test

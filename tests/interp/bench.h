@@ -166,7 +166,7 @@ inline const nc::Dialect& control(std::string_view rules = {}) {
 
     // Tests run side by side, each in its own process.
     const std::string file =
-        testing::TempDir() + "kadr_control_" + std::to_string(getpid()) + ".xml";
+        ::testing::TempDir() + "kadr_control_" + std::to_string(getpid()) + ".xml";
     std::ofstream(file) << "<dialect name=\"control\" extends=\"iso\" title=\"under test\" "
                         << "suffix=\"nc\">" << rules << "</dialect>";
     Sources sources;

@@ -9,7 +9,7 @@
 #include "tests/path/random_contour.h"
 #include "text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::compensated_contours_test {
 namespace {
 
 using path::Contour;
@@ -315,4 +315,4 @@ TEST(CompensatedContours, AnotherRadiusOnTheWay) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::compensated_contours_test

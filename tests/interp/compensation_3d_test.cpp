@@ -10,7 +10,7 @@
 
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::compensation_3d_test {
 namespace {
 
 using path::Vec3;
@@ -142,7 +142,7 @@ struct Refused {
     std::string code;
     std::string alarm;
 };
-class SpaceCompensationRefuses : public testing::TestWithParam<Refused> {};
+class SpaceCompensationRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(SpaceCompensationRefuses, WithItsRow) {
     const Ran ran = read("sinumerik", "T1 D1 M6\nS1000 M3\n" + GetParam().text, trunnion());
@@ -154,12 +154,12 @@ TEST_P(SpaceCompensationRefuses, WithItsRow) {
 
 INSTANTIATE_TEST_SUITE_P(
     , SpaceCompensationRefuses,
-    testing::Values(Refused{"TRAORI\nCUT3DC\nG1 G42 X10 F100\nX20\nZ-10", "K5680", "10759"},
-                    Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nA3=-1 C3=5\nG3 X20 Y20 CR=20",
-                            "K5681", "K5681"},
-                    Refused{"TRAORI\nCUT3DC KONT\nG1 G42 X10 F100", "K5682", "K5682"},
-                    Refused{"TRAORI\nCUT3DC\nG2 G42 X10 CR=8 F100", "K5272", "10753"},
-                    Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nY2\nX0", "K5277", "10751"}));
+    ::testing::Values(Refused{"TRAORI\nCUT3DC\nG1 G42 X10 F100\nX20\nZ-10", "K5680", "10759"},
+                      Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nA3=-1 C3=5\nG3 X20 Y20 CR=20",
+                              "K5681", "K5681"},
+                      Refused{"TRAORI\nCUT3DC KONT\nG1 G42 X10 F100", "K5682", "K5682"},
+                      Refused{"TRAORI\nCUT3DC\nG2 G42 X10 CR=8 F100", "K5272", "10753"},
+                      Refused{"TRAORI\nCUT3DC\nG1 G41 X10 F100\nX40\nY2\nX0", "K5277", "10751"}));
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::compensation_3d_test

@@ -4,7 +4,7 @@
 
 #include "text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::compensation_test {
 namespace {
 
 using nc::Function;
@@ -321,4 +321,4 @@ TEST(Compensation, WithoutARadius) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::compensation_test

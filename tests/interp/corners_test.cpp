@@ -7,7 +7,7 @@
 #include "path/contour_corner.h"
 #include "text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::corners_test {
 namespace {
 
 using path::Element;
@@ -264,4 +264,4 @@ TEST(Polar, WordsOfACycleTurnOnWithEveryRepetition) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::corners_test

@@ -8,7 +8,7 @@
 #include "path/curve_of.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::curves_test {
 namespace {
 
 using path::Op;
@@ -637,4 +637,4 @@ TEST(SplineNeighbours, WithoutADirectionOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::curves_test

@@ -1,7 +1,7 @@
 // Machining cycles: calls, modal repetition, levels, and what is restored behind them.
 #include "bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::cycles_test {
 namespace {
 
 using path::Op;
@@ -346,4 +346,4 @@ TEST(Cycles, ACycleBehindEveryMotion) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::cycles_test

@@ -9,7 +9,7 @@
 #include "tests/interp/five_axis_bench.h"
 #include "tests/interp/program_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::face_milling_compensation_test {
 namespace {
 
 /// A tool by its data; radius 5, a rounding of 2, a side that leans by 10 degrees.
@@ -185,7 +185,7 @@ TEST(SurfaceCompensation, AToolOfNoShapeIsSaid) {
     EXPECT_EQ(ran.messages[0].row->code, "K5688");
 }
 
-class SurfaceCompensationRefuses : public testing::TestWithParam<Refused> {};
+class SurfaceCompensationRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(SurfaceCompensationRefuses, WithItsRow) {
     const std::string head =
@@ -198,21 +198,21 @@ const std::string kOn = "TRAORI\nCUT3DF\nG1 G41 X10 Z0 F100\n";
 
 INSTANTIATE_TEST_SUITE_P(
     , SurfaceCompensationRefuses,
-    testing::Values(Refused{kOn + "X20 A4=-1 C4=0.1", "10767", "K5683"},
-                    Refused{kOn + "X20 A4=-0.1 C4=1 A5=0.1 C5=1", "10768", "K5684"},
-                    Refused{kOn + "X20 A4=0", "10769", "K5685"},
-                    Refused{kOn + "X20 A4=-1 C4=1 A5=1 C5=-1", "10769", "K5685"},
-                    Refused{"$TC_DP7[1,1]=6\nT1 D1\n" + kOn, "10774", "K5686"},
-                    Refused{"$TC_DP7[1,1]=-1\nT1 D1\n" + kOn, "10774", "K5686"},
-                    Refused{"$TC_DP11[1,1]=90\nT1 D1\n" + kOn, "10774", "K5686"},
-                    Refused{kOn + "A3=0.2 B3=0.4 C3=1\nX20\nX40 Z10 A4=-0.5 B4=0.8 C4=1\nX50",
-                            "10773", "K5687"},
-                    Refused{"TRAORI\nCUT3DFF\nG1 G41 X10 Z0 F100\n", "10772", "K5689"},
-                    Refused{"TRAORI\nCUT3DF KONT\nG1 G41 X10 Z0 F100\n", "K5682", "K5682"},
-                    Refused{kOn + "X20 RND=2\nY20", "K5018", "K5018"},
-                    // A hollow of 2 mm radius: the ball of 5 mm does not fit.
-                    Refused{"$TC_DP1[1,1]=110\nT1 D1\n" + kOn + "X11 A4=0.5 C4=1 A5=-0.5 C5=1",
-                            "10751", "K5275"}));
+    ::testing::Values(Refused{kOn + "X20 A4=-1 C4=0.1", "10767", "K5683"},
+                      Refused{kOn + "X20 A4=-0.1 C4=1 A5=0.1 C5=1", "10768", "K5684"},
+                      Refused{kOn + "X20 A4=0", "10769", "K5685"},
+                      Refused{kOn + "X20 A4=-1 C4=1 A5=1 C5=-1", "10769", "K5685"},
+                      Refused{"$TC_DP7[1,1]=6\nT1 D1\n" + kOn, "10774", "K5686"},
+                      Refused{"$TC_DP7[1,1]=-1\nT1 D1\n" + kOn, "10774", "K5686"},
+                      Refused{"$TC_DP11[1,1]=90\nT1 D1\n" + kOn, "10774", "K5686"},
+                      Refused{kOn + "A3=0.2 B3=0.4 C3=1\nX20\nX40 Z10 A4=-0.5 B4=0.8 C4=1\nX50",
+                              "10773", "K5687"},
+                      Refused{"TRAORI\nCUT3DFF\nG1 G41 X10 Z0 F100\n", "10772", "K5689"},
+                      Refused{"TRAORI\nCUT3DF KONT\nG1 G41 X10 Z0 F100\n", "K5682", "K5682"},
+                      Refused{kOn + "X20 RND=2\nY20", "K5018", "K5018"},
+                      // A hollow of 2 mm radius: the ball of 5 mm does not fit.
+                      Refused{"$TC_DP1[1,1]=110\nT1 D1\n" + kOn + "X11 A4=0.5 C4=1 A5=-0.5 C5=1",
+                              "10751", "K5275"}));
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::face_milling_compensation_test

@@ -3,7 +3,7 @@
 
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::feed_characteristics_test {
 namespace {
 
 using Law = std::array<double, 4>;
@@ -116,4 +116,4 @@ TEST(FeedCharacteristics, AFeedThatFallsTo0IsAnAlarm) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::feed_characteristics_test

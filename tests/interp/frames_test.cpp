@@ -1,7 +1,7 @@
 // Work offsets, programmable frames, machine coordinates, set position.
 #include "bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::frames_test {
 namespace {
 
 using path::Command;
@@ -283,4 +283,4 @@ TEST(Frames, MachineCoordinates) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::frames_test

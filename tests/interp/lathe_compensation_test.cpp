@@ -7,7 +7,7 @@
 
 #include "text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::lathe_compensation_test {
 namespace {
 
 using path::Command;
@@ -236,4 +236,4 @@ TEST(LatheCompensation, AToolWithoutATipIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::lathe_compensation_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr::interp {
+namespace kadr::interp::listing_test {
 namespace {
 
 using path::Command;
@@ -127,4 +127,4 @@ TEST(Listing, TheOthers) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::listing_test

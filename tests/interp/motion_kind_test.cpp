@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+namespace motion_kind_test {
+
 namespace {
 
 using kadr::interp::classify;
@@ -185,3 +187,5 @@ TEST(MotionKind, APointThatOnlyTurnsTheToolIsNoPointOfASpline) {
 }
 
 }  // namespace
+
+}  // namespace motion_kind_test

@@ -5,7 +5,7 @@
 #include "bench.h"
 #include "path/arc.h"
 
-namespace kadr::interp {
+namespace kadr::interp::motion_test {
 namespace {
 
 using path::Command;
@@ -278,4 +278,4 @@ TEST(Motion, ExactStop) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::motion_test

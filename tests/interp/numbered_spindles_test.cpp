@@ -2,7 +2,7 @@
 #include "interp/run_clock.h"
 #include "tests/interp/text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::numbered_spindles_test {
 namespace {
 
 using path::Command;
@@ -130,4 +130,4 @@ TEST(SpeedLimits, HoldForTheClockOfTheProgram) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::numbered_spindles_test

@@ -11,7 +11,7 @@
 #include "path/orient_law.h"
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::orient_interpolation_test {
 namespace {
 
 using nlohmann::json;
@@ -415,4 +415,4 @@ TEST(ToolCourses, WordsThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::orient_interpolation_test

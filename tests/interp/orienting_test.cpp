@@ -5,7 +5,7 @@
 
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::orienting_test {
 namespace {
 
 using path::OrientKind;
@@ -115,7 +115,7 @@ TEST(Orienting, AxesStandWhereTheTransformationIsSwitched) {
     EXPECT_GT((axes - Vec3(30, 20, 10)).tail<2>().cwiseAbs().minCoeff(), 0.1);
 }
 
-class OrientingRefuses : public testing::TestWithParam<Refused> {};
+class OrientingRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(OrientingRefuses, WithItsAlarm) {
     const Ran ran = read("sinumerik", "S1000 M3\n" + GetParam().text, trunnion());
@@ -124,17 +124,18 @@ TEST_P(OrientingRefuses, WithItsAlarm) {
 
 INSTANTIATE_TEST_SUITE_P(
     , OrientingRefuses,
-    testing::Values(Refused{"G1 X10 C3=1 F100", "14101", "K5602"},
-                    Refused{"TRAORI\nTRAFOOF\nG1 X10 A2=10 F100", "14101", "K5602"},
-                    Refused{"TRAORI\nG1 X10 C3=1 A2=10 F100", "14110", "K5601"},
-                    Refused{"TRAORI\nG1 X10 A2=10 A=5 F100", "14111", "K5610"},
-                    Refused{"TRAORI\nG1 X10 A3=1 C3=1 C=5 F100", "14129", "K5603"},
-                    Refused{"TRAORI\nG1 X10 A3=0 F100", "14121", "K5604"},
-                    Refused{"TRAORI\nG1 X10 C3=-1 F100", "14120", "K5605"},
-                    Refused{"TRAORI\nG1 X10 A3=1 C3=-1 F100", "14112", "K5607"},
-                    Refused{"TRAORI\nSUPA G0 Z0", "17620", "K5609"},
-                    Refused{"TRAORI\nG74 Z1=0", "17630", "K5585"},
-                    Refused{"T1 D1 M6\nS1000 M3\nG1 G41 X10 F100\nX20\nTRAORI", "14400", "K5608"}));
+    ::testing::Values(Refused{"G1 X10 C3=1 F100", "14101", "K5602"},
+                      Refused{"TRAORI\nTRAFOOF\nG1 X10 A2=10 F100", "14101", "K5602"},
+                      Refused{"TRAORI\nG1 X10 C3=1 A2=10 F100", "14110", "K5601"},
+                      Refused{"TRAORI\nG1 X10 A2=10 A=5 F100", "14111", "K5610"},
+                      Refused{"TRAORI\nG1 X10 A3=1 C3=1 C=5 F100", "14129", "K5603"},
+                      Refused{"TRAORI\nG1 X10 A3=0 F100", "14121", "K5604"},
+                      Refused{"TRAORI\nG1 X10 C3=-1 F100", "14120", "K5605"},
+                      Refused{"TRAORI\nG1 X10 A3=1 C3=-1 F100", "14112", "K5607"},
+                      Refused{"TRAORI\nSUPA G0 Z0", "17620", "K5609"},
+                      Refused{"TRAORI\nG74 Z1=0", "17630", "K5585"},
+                      Refused{"T1 D1 M6\nS1000 M3\nG1 G41 X10 F100\nX20\nTRAORI", "14400",
+                              "K5608"}));
 
 TEST(Orienting, MachineWithoutKinematicsHasNoTransformation) {
     const Ran ran = read("sinumerik", "TRAORI");
@@ -157,4 +158,4 @@ TEST(Orienting, NutatingHeadDoesNotReachBelowTheHorizontal) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::orienting_test

@@ -7,7 +7,7 @@
 
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::peripheral_compensation_test {
 namespace {
 
 /// With tools of 5 mm radius, and the rotary axes where a test wants them.
@@ -98,7 +98,7 @@ TEST(SideCompensation, EndsWithItsCode) {
     EXPECT_LT((tip(motion.back()) - Vec3(60, 0, 20)).norm(), 1e-9);
 }
 
-class SideCompensationRefuses : public testing::TestWithParam<Refused> {};
+class SideCompensationRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(SideCompensationRefuses, WithItsRow) {
     const bool is_mixed = GetParam().code == "K5691";
@@ -110,11 +110,11 @@ TEST_P(SideCompensationRefuses, WithItsRow) {
 const std::string kOn = "G43.4 H01\nG01 G41.2 D01 X10. F100.\nX20.\n";
 
 INSTANTIATE_TEST_SUITE_P(, SideCompensationRefuses,
-                         testing::Values(Refused{"G01 G41.2 D01 X10. F100.", "PS5460", "K5690"},
-                                         Refused{kOn + "G49", "PS5460", "K5692"},
-                                         Refused{kOn + "G43.5 H01", "PS5460", "K5692"},
-                                         Refused{kOn + "G43 H01", "PS5460", "K5692"},
-                                         Refused{kOn + "G02 X30. R5.", "PS5461", "K5691"}));
+                         ::testing::Values(Refused{"G01 G41.2 D01 X10. F100.", "PS5460", "K5690"},
+                                           Refused{kOn + "G49", "PS5460", "K5692"},
+                                           Refused{kOn + "G43.5 H01", "PS5460", "K5692"},
+                                           Refused{kOn + "G43 H01", "PS5460", "K5692"},
+                                           Refused{kOn + "G02 X30. R5.", "PS5461", "K5691"}));
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::peripheral_compensation_test

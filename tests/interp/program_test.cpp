@@ -2,7 +2,7 @@
 #include "bench.h"
 #include "nc/rules.h"
 
-namespace kadr::interp {
+namespace kadr::interp::program_test {
 namespace {
 
 using path::Command;
@@ -272,4 +272,4 @@ TEST(Rules, EveryRuleCanBeSetAndRefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::program_test

@@ -3,7 +3,7 @@
 
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::smoothing_test {
 namespace {
 
 using path::Blending;
@@ -118,4 +118,4 @@ TEST(Smoothing, ADistanceBelowZeroIsAnAlarm) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::smoothing_test

@@ -2,7 +2,7 @@
 // wrong with them.
 #include "tests/interp/text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::spline_test {
 namespace {
 
 Words pole(double x, double y) { return Words().x(x).y(y); }
@@ -251,4 +251,4 @@ TEST(Splines, WhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::spline_test

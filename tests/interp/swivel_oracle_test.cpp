@@ -7,7 +7,7 @@
 #include "tests/interp/five_axis_bench.h"
 #include "tests/machine/support.h"
 
-namespace kadr::interp {
+namespace kadr::interp::swivel_oracle_test {
 namespace {
 
 using machine::kR1;
@@ -131,4 +131,4 @@ TEST(SwivelOracle, TextsBringTheAxesToTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::swivel_oracle_test

@@ -3,7 +3,7 @@
 #include "base/diagnostics/iso.h"
 #include "text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::text_test {
 namespace {
 
 TEST(Text, Sinumerik) {
@@ -152,4 +152,4 @@ TEST(Text, WarningsThatSaveASpindle) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::text_test

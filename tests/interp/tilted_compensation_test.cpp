@@ -9,7 +9,7 @@
 #include "path/linear.h"
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::tilted_compensation_test {
 namespace {
 
 using path::linear;
@@ -144,4 +144,4 @@ TEST(TiltedCompensation, EndsBeforeThePlaneTurns) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::tilted_compensation_test

@@ -12,7 +12,7 @@
 #include "machine/orientation.h"
 #include "tests/interp/text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::tilted_planes_test {
 namespace {
 
 using machine::Mat3;
@@ -124,7 +124,7 @@ void expect_in_plane(const std::vector<Stand>& all, std::uint32_t first, const F
 
 const Vec3 kPartZero(12, -7, 31);
 
-class OnStockMachines : public testing::TestWithParam<const char*> {};
+class OnStockMachines : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(OnStockMachines, G682AndG531BringTheTipToThePlane) {
     const machine::Machine machine = stock(GetParam());
@@ -234,7 +234,7 @@ TEST_P(OnStockMachines, AlongTheToolIsAlongTheTool) {
     EXPECT_NEAR((all[3].tip - all[2].tip).dot(all[1].tool), 0, 1e-8);
 }
 
-INSTANTIATE_TEST_SUITE_P(, OnStockMachines, testing::ValuesIn(kFiveAxes), [](const auto& test) {
+INSTANTIATE_TEST_SUITE_P(, OnStockMachines, ::testing::ValuesIn(kFiveAxes), [](const auto& test) {
     std::string name = test.param;
     std::erase(name, '-');
     return name;
@@ -338,7 +338,7 @@ struct Refused {
     std::string alarm;
     std::string code;
 };
-class TiltingRefuses : public testing::TestWithParam<Refused> {};
+class TiltingRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(TiltingRefuses, WithItsAlarm) {
     const Refused& wrong = GetParam();
@@ -354,7 +354,7 @@ constexpr const char* kPlane = "G68.2 X0 Y0 Z0 I0 J30. K0\n";
 
 INSTANTIATE_TEST_SUITE_P(
     , TiltingRefuses,
-    testing::Values(
+    ::testing::Values(
         Refused{"fanuc", "trunnion-ac", std::string(kPlane) + kPlane, "PS5456", "K5651"},
         Refused{"fanuc", "trunnion-ac", "G53.1", "PS5458", "K5653"},
         Refused{"fanuc", "mill", std::string(kPlane) + "G53.1", "PS5459", "K5650"},
@@ -574,4 +574,4 @@ TEST(Tilting, ARotaryAxisThatIsMovedInAPlaneIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::tilted_planes_test

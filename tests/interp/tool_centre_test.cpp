@@ -4,7 +4,7 @@
 
 #include "tests/interp/five_axis_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::tool_centre_test {
 namespace {
 
 using path::OrientKind;
@@ -133,7 +133,7 @@ TEST(ToolCentre, ArcsStandUnderRotaryWords) {
     EXPECT_NEAR(all[2].motion().arc().sweep, std::numbers::pi, 1e-9);
 }
 
-class ToolCentreRefuses : public testing::TestWithParam<Refused> {};
+class ToolCentreRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(ToolCentreRefuses, WithItsAlarm) {
     const Ran ran =
@@ -143,21 +143,21 @@ TEST_P(ToolCentreRefuses, WithItsAlarm) {
 
 INSTANTIATE_TEST_SUITE_P(
     , ToolCentreRefuses,
-    testing::Values(Refused{"G43.4 H01\nG41 X10. D01 F100.", "PS5421", "K5611"},
-                    Refused{"G43.4 H01\nG55", "PS5421", "K5611"},
-                    Refused{"G43.4 H01\nG52 X10.", "PS5421", "K5611"},
-                    Refused{"G43.4 H01\nG92 X10.", "PS5421", "K5611"},
-                    Refused{"G43.4 H01\nG68 X0. Y0. R30.", "PS5421", "K5611"},
-                    Refused{"G43.4 H01\nG81 X10. Z-5. R2. F100.", "PS5421", "K5611"},
-                    Refused{"G43.4 H01\nG53 Z0.", "PS5421", "K5609"},
-                    Refused{"G43.4 H01\nG28 Z0.", "PS5421", "K5585"},
-                    Refused{"G43.5 H01\nG02 X10. Y0. R5. F100.", "PS5421", "K5612"},
-                    Refused{"G43.5 H01\nG01 X10. K1. A20. F100.", "PS5421", "K5603"},
-                    Refused{"G43.5 H01\nG01 X10. K0. F100.", "PS5421", "K5604"},
-                    Refused{"G43.5 H01\nG01 X10. I1. K-1. F100.", "PS5421", "K5607"},
-                    Refused{"G43.5 H01\nG01 K1. Q10. F100.", "PS5421", "K5613"},
-                    Refused{"G43.5 H01\nG01 Z10. K1. Q10. F100.", "PS5421", "K5614"},
-                    Refused{"G43.4 H01 P1\nG01 A20. C0. F100.\nC360.", "PS5421", "K5607"}));
+    ::testing::Values(Refused{"G43.4 H01\nG41 X10. D01 F100.", "PS5421", "K5611"},
+                      Refused{"G43.4 H01\nG55", "PS5421", "K5611"},
+                      Refused{"G43.4 H01\nG52 X10.", "PS5421", "K5611"},
+                      Refused{"G43.4 H01\nG92 X10.", "PS5421", "K5611"},
+                      Refused{"G43.4 H01\nG68 X0. Y0. R30.", "PS5421", "K5611"},
+                      Refused{"G43.4 H01\nG81 X10. Z-5. R2. F100.", "PS5421", "K5611"},
+                      Refused{"G43.4 H01\nG53 Z0.", "PS5421", "K5609"},
+                      Refused{"G43.4 H01\nG28 Z0.", "PS5421", "K5585"},
+                      Refused{"G43.5 H01\nG02 X10. Y0. R5. F100.", "PS5421", "K5612"},
+                      Refused{"G43.5 H01\nG01 X10. K1. A20. F100.", "PS5421", "K5603"},
+                      Refused{"G43.5 H01\nG01 X10. K0. F100.", "PS5421", "K5604"},
+                      Refused{"G43.5 H01\nG01 X10. I1. K-1. F100.", "PS5421", "K5607"},
+                      Refused{"G43.5 H01\nG01 K1. Q10. F100.", "PS5421", "K5613"},
+                      Refused{"G43.5 H01\nG01 Z10. K1. Q10. F100.", "PS5421", "K5614"},
+                      Refused{"G43.4 H01 P1\nG01 A20. C0. F100.\nC360.", "PS5421", "K5607"}));
 
 TEST(ToolCentre, MachineWithoutKinematicsRefusesTheCode) {
     const Ran ran = read("fanuc", "G43.4 H01\nM30");
@@ -166,4 +166,4 @@ TEST(ToolCentre, MachineWithoutKinematicsRefusesTheCode) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::tool_centre_test

@@ -7,7 +7,7 @@
 
 #include "tests/interp/text_bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::virtual_axes_test {
 namespace {
 
 /// A mill of these axes.
@@ -26,7 +26,7 @@ struct Refused {
     std::string_view alarm;
     std::string_view code;
 };
-class VirtualRefuses : public testing::TestWithParam<Refused> {};
+class VirtualRefuses : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(VirtualRefuses, WithItsAlarm) {
     const auto& [dialect, text, axes, alarm, code] = GetParam();
@@ -39,19 +39,20 @@ TEST_P(VirtualRefuses, WithItsAlarm) {
 
 INSTANTIATE_TEST_SUITE_P(
     , VirtualRefuses,
-    testing::Values(Refused{"sinumerik", "TRANSMIT\nM30", "XYZ", "14100", "K5540"},
-                    Refused{"sinumerik", "TRACYL(40)\nM30", "XYZ", "14100", "K5541"},
-                    Refused{"sinumerik", "TRAANG(30)\nM30", "XY", "14100", "K5549"},
-                    Refused{"sinumerik", "TRAANG()\nM30", "XZ", "14404", "K5548"},
-                    Refused{"sinumerik", "TRANSMIT\nG74 X1=0\nM30", "XZC", "17630", "K5585"},
-                    Refused{"sinumerik", "TRANSMIT\nSUPA G0 X0\nM30", "XZC", "17620", "K5609"},
-                    Refused{"fanuc", "G12.1\nM30", "XYZ", "PS0145", "K5540"},
-                    Refused{"fanuc", "G07.1 C20.\nM30", "XYZ", "PS0175", "K5541"},
-                    Refused{"fanuc", "G12.1\nG28 X0\nM30", "XZC", "PS0146", "K5542"},
-                    Refused{"fanuc", "G12.1\nG81 X5. Z-5. R2. F100\nM30", "XZC", "PS0146", "K5542"},
-                    Refused{"fanuc", "G12.1\nG12.1\nM30", "XZC", "PS0146", "K5542"},
-                    Refused{"fanuc", "G07.1 C20.\nG07.1 C30.\nM30", "XZC", "PS0176", "K5543"},
-                    Refused{"fanuc", "G07.1 C-20.\nM30", "XZC", "PS0175", "K5544"}));
+    ::testing::Values(Refused{"sinumerik", "TRANSMIT\nM30", "XYZ", "14100", "K5540"},
+                      Refused{"sinumerik", "TRACYL(40)\nM30", "XYZ", "14100", "K5541"},
+                      Refused{"sinumerik", "TRAANG(30)\nM30", "XY", "14100", "K5549"},
+                      Refused{"sinumerik", "TRAANG()\nM30", "XZ", "14404", "K5548"},
+                      Refused{"sinumerik", "TRANSMIT\nG74 X1=0\nM30", "XZC", "17630", "K5585"},
+                      Refused{"sinumerik", "TRANSMIT\nSUPA G0 X0\nM30", "XZC", "17620", "K5609"},
+                      Refused{"fanuc", "G12.1\nM30", "XYZ", "PS0145", "K5540"},
+                      Refused{"fanuc", "G07.1 C20.\nM30", "XYZ", "PS0175", "K5541"},
+                      Refused{"fanuc", "G12.1\nG28 X0\nM30", "XZC", "PS0146", "K5542"},
+                      Refused{"fanuc", "G12.1\nG81 X5. Z-5. R2. F100\nM30", "XZC", "PS0146",
+                              "K5542"},
+                      Refused{"fanuc", "G12.1\nG12.1\nM30", "XZC", "PS0146", "K5542"},
+                      Refused{"fanuc", "G07.1 C20.\nG07.1 C30.\nM30", "XZC", "PS0176", "K5543"},
+                      Refused{"fanuc", "G07.1 C-20.\nM30", "XZC", "PS0175", "K5544"}));
 
 /// Lines of the listing that tell of motions.
 std::string motions_of(const Ran& ran) {
@@ -101,4 +102,4 @@ TEST(Virtual, RotaryAxisDoesNotDependOnBatches) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::virtual_axes_test

@@ -1,7 +1,7 @@
 // Tapping, ways to the reference point, scales and centres, functions of the machine's builder.
 #include "bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::vocabulary_test {
 namespace {
 
 using path::FeedMode;
@@ -344,4 +344,4 @@ TEST(Diameter, IsWhatTheProgramSays) {
 }
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::vocabulary_test

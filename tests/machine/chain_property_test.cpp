@@ -7,7 +7,7 @@
 #include "machine/machine.h"
 #include "tests/machine/support.h"
 
-namespace kadr::machine {
+namespace kadr::machine::chain_property_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -364,4 +364,4 @@ TEST(ChainProperty, BothWaysThroughThePole) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::chain_property_test

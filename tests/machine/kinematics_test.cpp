@@ -4,7 +4,7 @@
 
 #include "tests/machine/support.h"
 
-namespace kadr::machine {
+namespace kadr::machine::kinematics_test {
 namespace {
 
 using test::json;
@@ -213,4 +213,4 @@ TEST(Kinematics, OneRotaryAxisReachesItsConeOnly) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::kinematics_test

@@ -6,7 +6,7 @@
 #include "machine/machine.h"
 #include "tests/machine/support.h"
 
-namespace kadr::machine {
+namespace kadr::machine::load_kinematics_test {
 namespace {
 
 struct Loaded {
@@ -17,7 +17,7 @@ struct Loaded {
 
 /// A machine with the axes of these letters around a chain.
 void load(const std::string& kinematics, const std::string& axes, Loaded& loaded) {
-    const std::string path = testing::TempDir() + "kadr-kinematics.xml";
+    const std::string path = ::testing::TempDir() + "kadr-kinematics.xml";
     std::string text = "<machine name=\"m\">" + kinematics;
     for (const char name : axes) {
         const bool is_rotary = name >= 'A' && name <= 'C';
@@ -168,4 +168,4 @@ TEST(LoadKinematics, TwoLinearAxes) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::load_kinematics_test

@@ -12,7 +12,7 @@
 
 #include "machine/machine.h"
 
-namespace kadr::machine {
+namespace kadr::machine::load_test {
 namespace {
 
 const std::string kStock = std::string(KADR_ROOT) + "/runtime/machines";
@@ -478,4 +478,4 @@ TEST(MachineFile, ADeepFileIsNoFall) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::load_test

@@ -4,7 +4,7 @@
 
 #include "tests/machine/support.h"
 
-namespace kadr::machine {
+namespace kadr::machine::orientation_test {
 namespace {
 
 using test::json;
@@ -335,4 +335,4 @@ TEST(Orientation, EqualEndsStandStill) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::orientation_test

@@ -1,6 +1,6 @@
 #include "tests/machine/support.h"
 
-namespace kadr::machine {
+namespace kadr::machine::path_choice_test {
 namespace {
 
 using test::chain_of;
@@ -298,4 +298,4 @@ TEST(PathChoice, OneRotaryAxis) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::path_choice_test

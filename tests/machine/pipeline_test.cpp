@@ -9,7 +9,7 @@
 #include "machine/machine.h"
 #include "machine/setpoint_columns.h"
 
-namespace kadr::machine {
+namespace kadr::machine::pipeline_test {
 namespace {
 
 struct Loaded {
@@ -114,4 +114,4 @@ TEST(Pipeline, AScannerMayServeWays) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::pipeline_test

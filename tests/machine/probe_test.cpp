@@ -7,7 +7,7 @@
 
 #include "machine/machine.h"
 
-namespace kadr::machine {
+namespace kadr::machine::probe_test {
 namespace {
 
 using path::Vec3;
@@ -108,4 +108,4 @@ TEST(Probe, Release) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::probe_test

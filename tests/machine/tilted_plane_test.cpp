@@ -7,7 +7,7 @@
 
 #include "tests/machine/support.h"
 
-namespace kadr::machine {
+namespace kadr::machine::tilted_plane_test {
 namespace {
 
 using test::apart;
@@ -224,4 +224,4 @@ TEST(TiltedPlane, SquareToTheToolXTurnsNoMoreThanItMust) {
 }
 
 }  // namespace
-}  // namespace kadr::machine
+}  // namespace kadr::machine::tilted_plane_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr::macro {
+namespace kadr::macro::contour_table_test {
 namespace {
 
 using path::Vec2;
@@ -208,4 +208,4 @@ TEST(ContourTable, OfTwoCommonPointsTheFirstOneCounts) {
 }
 
 }  // namespace
-}  // namespace kadr::macro
+}  // namespace kadr::macro::contour_table_test

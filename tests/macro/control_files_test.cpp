@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr::macro {
+namespace kadr::macro::control_files_test {
 namespace {
 
 TEST(ControlFiles, AreFullAtSomeTimeAndHaveRoomAgainBehindADeletedOne) {
@@ -24,4 +24,4 @@ TEST(ControlFiles, AreFullAtSomeTimeAndHaveRoomAgainBehindADeletedOne) {
 }
 
 }  // namespace
-}  // namespace kadr::macro
+}  // namespace kadr::macro::control_files_test

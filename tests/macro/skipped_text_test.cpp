@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr::macro {
+namespace kadr::macro::skipped_text_test {
 namespace {
 
 std::string left_of(PassedText& skipped) {
@@ -42,4 +42,4 @@ TEST(PassedText, LosesLinesAtBothItsEnds) {
 }
 
 }  // namespace
-}  // namespace kadr::macro
+}  // namespace kadr::macro::skipped_text_test

@@ -10,7 +10,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::comparison_test {
 namespace {
 
 using std::numbers::pi;
@@ -196,4 +196,4 @@ TEST(Comparison, FeedsAreToldAndDoNotPart) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::comparison_test

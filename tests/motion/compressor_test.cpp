@@ -12,7 +12,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::compressor_test {
 namespace {
 
 using namespace test;
@@ -314,4 +314,4 @@ TEST(Compressor, APulsedLaserKeepsItsPoints) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::compressor_test

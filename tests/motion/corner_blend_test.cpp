@@ -12,7 +12,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::corner_blend_test {
 namespace {
 
 using namespace test;
@@ -466,4 +466,4 @@ TEST(Rounding, AnAlarmBehindTheCornerComesAfterTheMotionBefore) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::corner_blend_test

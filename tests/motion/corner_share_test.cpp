@@ -11,7 +11,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::corner_share_test {
 namespace {
 
 using namespace test;
@@ -197,4 +197,4 @@ TEST(CurvatureJump, IsTheJerkOfATickUnlessTheMachineSaysOtherwise) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::corner_share_test

@@ -8,7 +8,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::curves_test {
 namespace {
 
 Command quintic_to(const Vec3& to, double feed) {
@@ -208,4 +208,4 @@ TEST(VaryingThread, ShorterThanItsRamps) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::curves_test

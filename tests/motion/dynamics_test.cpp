@@ -7,7 +7,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::dynamics_test {
 namespace {
 
 using namespace test;
@@ -117,4 +117,4 @@ TEST(Dynamics, AProgramThatTakesAllSpeedIsAnAlarm) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::dynamics_test

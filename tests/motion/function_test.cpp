@@ -5,7 +5,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::function_test {
 namespace {
 
 using namespace test;
@@ -114,4 +114,4 @@ TEST(MachineFunction, AHoldDoesNotInterruptIt) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::function_test

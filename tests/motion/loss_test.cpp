@@ -7,7 +7,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::loss_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -190,4 +190,4 @@ TEST(Losses, RapidsAskForWhatTheAxesCan) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::loss_test

@@ -10,7 +10,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::operated_test {
 namespace {
 
 using namespace test;
@@ -426,4 +426,4 @@ RC_GTEST_PROP(OperatedProperty, BatchesDoNotMatter, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::operated_test

@@ -13,7 +13,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::oracle_test {
 namespace {
 
 using nlohmann::json;
@@ -559,4 +559,4 @@ TEST(TimeOptimalOracle, WithAJerkTheyTakeLonger) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::oracle_test

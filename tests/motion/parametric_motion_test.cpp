@@ -10,7 +10,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::parametric_motion_test {
 namespace {
 
 using kadr::testing::kCycloid;
@@ -97,4 +97,4 @@ TEST(ParametricMotion, PiecesAreTheCurve) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::parametric_motion_test

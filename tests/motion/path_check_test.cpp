@@ -18,7 +18,7 @@
 #include "tests/motion/any_program.h"
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::path_check_test {
 namespace {
 
 using namespace test;
@@ -417,4 +417,4 @@ TEST(PathCheck, HoldsRotaryAxesToTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::path_check_test

@@ -6,7 +6,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::planner_test {
 namespace {
 
 using namespace test;
@@ -633,4 +633,4 @@ TEST(PlannerMistakes, PlaceComesFromTheCaller) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::planner_test

@@ -10,7 +10,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::point_to_point_test {
 namespace {
 
 using namespace test;
@@ -123,4 +123,4 @@ TEST(PointToPoint, SetpointsKeepTheLimitsAndArriveInTime) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::point_to_point_test

@@ -8,7 +8,7 @@
 #include "tests/machine/support.h"
 #include "tests/motion/support.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::pole_times_test {
 namespace {
 
 using machine::kR1;
@@ -157,4 +157,4 @@ TEST(PoleTimes, PastThePole) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::pole_times_test

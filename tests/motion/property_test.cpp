@@ -12,7 +12,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion {
+namespace kadr::motion::property_test {
 namespace {
 
 using namespace test;
@@ -487,4 +487,4 @@ TEST(LookAhead, TakesBackNothingThatIsFixed) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::property_test

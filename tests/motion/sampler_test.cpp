@@ -3,7 +3,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::sampler_test {
 namespace {
 
 using namespace test;
@@ -99,4 +99,4 @@ TEST(Sampler, TurnsARotaryAxis) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::sampler_test

@@ -11,7 +11,7 @@
 #include "motion/stretch.h"
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::smooth_test {
 namespace {
 
 using namespace test;
@@ -363,4 +363,4 @@ TEST(SmoothPlan, EveryLookAheadEndsAtRestAndNoneIsFaster) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::smooth_test

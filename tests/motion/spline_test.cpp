@@ -7,7 +7,7 @@
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::spline_test {
 namespace {
 
 const Vec3 kEnd(60, 0, 0);
@@ -147,4 +147,4 @@ TEST(SplineMotion, LimitsOfTheMachine) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::spline_test

@@ -8,7 +8,7 @@
 #include "motion/spindle_angle.h"
 #include "tests/motion/support.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::thread_test {
 namespace {
 
 Command thread_to(const Vec3& to, double lead, double start_deg = 0) {
@@ -68,7 +68,7 @@ TEST(Thread, PassesKeepTheirMarkBehindHolds) {
     const double usual = run(machine_of(), program).totals.time;
     for (double from = 0.01; from < usual; from += 0.037) {
         for (const double length : {0.004, 0.0217, 1.3}) {
-            SCOPED_TRACE(testing::Message() << from << " s, for " << length << " s");
+            SCOPED_TRACE(::testing::Message() << from << " s, for " << length << " s");
             PlannerOptions options;
             options.events = {{OperatorAct::FeedHold, 1, from, 0, -1},
                               {OperatorAct::CycleStart, 1, from + length, 0, -1}};
@@ -128,4 +128,4 @@ TEST(SpindleAngle, CountsTurns) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::thread_test

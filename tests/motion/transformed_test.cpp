@@ -16,7 +16,7 @@
 #include "tests/motion/any_program.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::transformed_test {
 namespace {
 
 using machine::Chain;
@@ -982,4 +982,4 @@ RC_GTEST_PROP(NearThePole, ToolAndAxesGoOn, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::transformed_test

@@ -7,7 +7,7 @@
 
 #include "tests/motion/support.h"
 
-namespace kadr::motion {
+namespace kadr::motion::varying_feed_test {
 namespace {
 
 using namespace test;
@@ -392,4 +392,4 @@ TEST(FeedCourse, ManyEventsOnOneCourse) {
 }
 
 }  // namespace
-}  // namespace kadr::motion
+}  // namespace kadr::motion::varying_feed_test

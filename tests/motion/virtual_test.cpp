@@ -10,7 +10,7 @@
 #include "tests/motion/any_program.h"
 #include "tests/motion/tick_limits.h"
 
-namespace kadr::motion::test {
+namespace kadr::motion::test::virtual_test {
 namespace {
 
 using path::OrientKind;
@@ -255,4 +255,4 @@ RC_GTEST_PROP(VirtualAxes, KeepTheTipOnItsPathAndTheAxesWithinLimits, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::motion::test
+}  // namespace kadr::motion::test::virtual_test

@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "nc_testing.h"
 
-namespace kadr::nc {
+namespace kadr::nc::effects_test {
 namespace {
 
 Block block_with(Function function) {
@@ -92,4 +92,4 @@ TEST(Effects, BeginWithThePlaneOfARotation) {
 }
 
 }  // namespace
-}  // namespace kadr::nc
+}  // namespace kadr::nc::effects_test

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "nc/vocabulary.h"
 
-namespace kadr::nc {
+namespace kadr::nc::facts_test {
 namespace {
 
 TEST(Facts, AreThoseOfTheList) {
@@ -27,4 +27,4 @@ TEST(Facts, AreThoseOfTheList) {
 }
 
 }  // namespace
-}  // namespace kadr::nc
+}  // namespace kadr::nc::facts_test

@@ -22,7 +22,7 @@
 #include "write/check.h"
 #include "write/writer.h"
 
-namespace kadr::nc {
+namespace kadr::nc::load_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -512,4 +512,4 @@ TEST(Load, SchemaAndLoaderAgree) {
 }
 
 }  // namespace
-}  // namespace kadr::nc
+}  // namespace kadr::nc::load_test

@@ -3,7 +3,7 @@
 
 #include "tests/nc/nc_testing.h"
 
-namespace kadr::nc {
+namespace kadr::nc::plan_test {
 namespace {
 
 using testing::source_block;
@@ -186,4 +186,4 @@ TEST(Plan, WordKinds) {
 }
 
 }  // namespace
-}  // namespace kadr::nc
+}  // namespace kadr::nc::plan_test

@@ -7,7 +7,7 @@
 
 #include "tests/nc/nc_testing.h"
 
-namespace kadr::nc {
+namespace kadr::nc::reader_test {
 namespace {
 
 using testing::read_blocks;
@@ -443,4 +443,4 @@ TEST(Reader, Places) {
 }
 
 }  // namespace
-}  // namespace kadr::nc
+}  // namespace kadr::nc::reader_test

@@ -12,7 +12,7 @@
 #include "tests/nc/nc_testing.h"
 #include "write/writer.h"
 
-namespace kadr::nc {
+namespace kadr::nc::removed_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -186,4 +186,4 @@ TEST(RemovedWords, AreNamed) {
 }
 
 }  // namespace
-}  // namespace kadr::nc
+}  // namespace kadr::nc::removed_test

@@ -10,7 +10,7 @@
 
 #include "tests/path/oracle_arcs.h"
 
-namespace kadr::path {
+namespace kadr::path::arc_test {
 namespace {
 
 using test::arc_of;
@@ -132,4 +132,4 @@ TEST(Arc, LengthOfASpiral) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::arc_test

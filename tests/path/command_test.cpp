@@ -5,7 +5,7 @@
 
 #include "path/op_names.h"
 
-namespace kadr::path {
+namespace kadr::path::command_test {
 namespace {
 
 constexpr int kOps = static_cast<int>(Op::External) + 1;
@@ -86,4 +86,4 @@ TEST(CommandDeathTest, NoneIsReadAsAnother) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::command_test

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace kadr::path {
+namespace kadr::path::contact_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -168,4 +168,4 @@ TEST(Contact, TheTipGoesAboutAStandingContact) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::contact_test

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace kadr::path {
+namespace kadr::path::contour_corner_test {
 namespace {
 
 double any(int from, int to) { return *rc::gen::inRange(from * 100, to * 100) * 0.01; }
@@ -59,4 +59,4 @@ RC_GTEST_PROP(ContourCorner, TheChamferOfALengthIsTheFirstOne, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::contour_corner_test

@@ -11,7 +11,7 @@
 #include "path/contour_offset.h"
 #include "tests/path/random_contour.h"
 
-namespace kadr::path {
+namespace kadr::path::contour_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -505,4 +505,4 @@ RC_GTEST_PROP(ContourOffset, OfAnOffset, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::contour_test

@@ -12,7 +12,7 @@
 #include "path/curve_of.h"
 #include "tests/path/oracle_arcs.h"
 
-namespace kadr::path {
+namespace kadr::path::curve_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -234,4 +234,4 @@ TEST(CurveOf, AnArcEndsAtItsEndWhereverTheTipIs) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::curve_test

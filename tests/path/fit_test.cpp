@@ -11,7 +11,7 @@
 
 #include "tests/path/oracle_arcs.h"
 
-namespace kadr::path {
+namespace kadr::path::fit_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -324,4 +324,4 @@ RC_GTEST_PROP(Fit, KeepsTheToleranceOnRandomCurves, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::fit_test

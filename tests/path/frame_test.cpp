@@ -11,7 +11,7 @@
 
 #include "base/units.h"
 
-namespace kadr::path {
+namespace kadr::path::frame_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -115,4 +115,4 @@ TEST(Frame, AnglesAreReadBackNormalised) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::frame_test

@@ -11,7 +11,7 @@
 
 #include "path/curve.h"
 
-namespace kadr::path {
+namespace kadr::path::involute_test {
 namespace {
 
 /// By the definition: the point of the circle, and back along the tangent by the string.
@@ -169,4 +169,4 @@ RC_GTEST_PROP(Involutes, EndUnderTheAngleThatIsSaid, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::involute_test

@@ -7,7 +7,7 @@
 #include "path/curve.h"
 #include "tests/common/test_curves.h"
 
-namespace kadr::path {
+namespace kadr::path::parametric_test {
 namespace {
 
 using kadr::testing::kCycloid;
@@ -113,4 +113,4 @@ TEST(CurveRegistry, FindsAKindByItsName) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::parametric_test

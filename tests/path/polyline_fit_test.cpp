@@ -13,7 +13,7 @@
 #include "path/complete_spline.h"
 #include "path/polyline_deviation.h"
 
-namespace kadr::path {
+namespace kadr::path::polyline_fit_test {
 namespace {
 
 PolylineFitOptions within(double tolerance) {
@@ -198,4 +198,4 @@ TEST(CompleteSpline, ReproducesACubic) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::polyline_fit_test

@@ -17,7 +17,7 @@
 #include "tests/path/oracle_arcs.h"
 #include "tests/path/random_contour.h"
 
-namespace kadr::path {
+namespace kadr::path::radius_comp_test {
 namespace {
 
 using std::numbers::pi;
@@ -561,4 +561,4 @@ TEST(RadiusComp, KeepsItsDistanceOrHasAReason) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::radius_comp_test

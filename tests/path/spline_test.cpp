@@ -16,7 +16,7 @@
 #include "path/steady.h"
 #include "tests/path/oracle_arcs.h"
 
-namespace kadr::path {
+namespace kadr::path::spline_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -381,7 +381,7 @@ TEST(SplineFit, KeepsTheToleranceWhereTheCurvatureHasNoEnd) {
     for (const double power : {1.05, 1.2, 1.5, 1.8}) {
         for (const double place : {0.0, 0.301, 0.5}) {
             for (const double tolerance : {0.01, 1e-3, 1e-5}) {
-                SCOPED_TRACE(testing::Message() << power << ' ' << place << ' ' << tolerance);
+                SCOPED_TRACE(::testing::Message() << power << ' ' << place << ' ' << tolerance);
                 const ParametricCurve curve = [&](double t) {
                     const double x = t - place;
                     const double slope = x == 0 ? 0 : power * std::pow(std::fabs(x), power) / x;
@@ -440,7 +440,7 @@ TEST(SplineFit, SaysWhatIsWrong) {
 TEST(SplineFit, WindsManyTimes) {
     for (const int turns : {20, 50, 60, 75, 100, 150, 300}) {
         for (const double rise : {0.0, 0.01, 0.06, 1.0}) {  // mm a turn
-            SCOPED_TRACE(testing::Message() << turns << " turns, " << rise << " mm");
+            SCOPED_TRACE(::testing::Message() << turns << " turns, " << rise << " mm");
             const auto spiral = [&](double u) -> std::optional<CurveSample> {
                 const double r = 5 + rise * u, w = 2 * kPi;
                 const double c = std::cos(w * u), s = std::sin(w * u);
@@ -513,4 +513,4 @@ RC_GTEST_PROP(SplineFit, KeepsTheToleranceOnRandomCurves, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::spline_test

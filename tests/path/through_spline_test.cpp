@@ -12,7 +12,7 @@
 #include "path/curve.h"
 #include "tests/path/oracle_arcs.h"
 
-namespace kadr::path {
+namespace kadr::path::through_spline_test {
 namespace {
 
 using Kind = SplineEnd::Kind;
@@ -333,4 +333,4 @@ TEST(QuinticSpan, LowerDegreesAreRaised) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::through_spline_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace kadr::path {
+namespace kadr::path::transition_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -198,4 +198,4 @@ TEST(Transition, CornersOfLinesGrowWithTheWay) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::transition_test

@@ -10,7 +10,7 @@
 
 #include "path/polar_passages.h"
 
-namespace kadr::path {
+namespace kadr::path::virtual_axes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -107,4 +107,4 @@ TEST(PolarPassages, RotaryAxisCountsTurns) {
 }
 
 }  // namespace
-}  // namespace kadr::path
+}  // namespace kadr::path::virtual_axes_test

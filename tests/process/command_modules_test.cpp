@@ -9,7 +9,7 @@
 #include "tests/motion/support.h"
 #include "tests/process/keep.h"
 
-namespace kadr::process {
+namespace kadr::process::command_modules_test {
 namespace {
 
 using motion::Segment;
@@ -198,4 +198,4 @@ TEST(CommandModules, AreKnownByName) {
 }
 
 }  // namespace
-}  // namespace kadr::process
+}  // namespace kadr::process::command_modules_test

@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "tests/process/support.h"
 
-namespace kadr::process {
+namespace kadr::process::cutting_speed_test {
 namespace {
 
 using namespace test;
@@ -119,4 +119,4 @@ TEST(CuttingSpeed, ThePlannerKeepsTheLeastSpeed) {
 }
 
 }  // namespace
-}  // namespace kadr::process
+}  // namespace kadr::process::cutting_speed_test

@@ -11,7 +11,7 @@
 #include "process/facing_pass.h"
 #include "tests/process/support.h"
 
-namespace kadr::process {
+namespace kadr::process::drives_test {
 namespace {
 
 using namespace test;
@@ -285,4 +285,4 @@ TEST(DriveRun, AStepOvershootsAsTheModulusOptimumDoes) {
 }
 
 }  // namespace
-}  // namespace kadr::process
+}  // namespace kadr::process::drives_test

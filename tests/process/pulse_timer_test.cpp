@@ -11,7 +11,7 @@
 #include "tests/motion/support.h"
 #include "tests/process/keep.h"
 
-namespace kadr::process {
+namespace kadr::process::pulse_timer_test {
 namespace {
 
 using motion::Segment;
@@ -246,4 +246,4 @@ TEST(PulseTimer, SegmentsFollowEachOtherAndKeepTheLimits) {
 }
 
 }  // namespace
-}  // namespace kadr::process
+}  // namespace kadr::process::pulse_timer_test

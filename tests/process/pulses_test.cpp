@@ -9,7 +9,7 @@
 #include "process/pulse_ahead.h"
 #include "tests/process/support.h"
 
-namespace kadr::process {
+namespace kadr::process::pulses_test {
 namespace {
 
 using namespace test;
@@ -375,4 +375,4 @@ TEST(PulseClock, NeedsAWholeNumberOfTicks) {
 }
 
 }  // namespace
-}  // namespace kadr::process
+}  // namespace kadr::process::pulses_test

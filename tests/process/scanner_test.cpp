@@ -12,7 +12,7 @@
 #include "tests/motion/support.h"
 #include "tests/process/keep.h"
 
-namespace kadr::process {
+namespace kadr::process::scanner_test {
 namespace {
 
 using motion::Segment;
@@ -399,4 +399,4 @@ TEST(Scanner, AlarmsComeInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace kadr::process
+}  // namespace kadr::process::scanner_test

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "repl/sketch.h"
 
-namespace kadr::repl {
+namespace kadr::repl::prompt_test {
 
 namespace {
 
@@ -570,4 +570,4 @@ TEST(Sketch, DrawsAtLeastSomething) {
 
 }  // namespace
 
-}  // namespace kadr::repl
+}  // namespace kadr::repl::prompt_test

@@ -12,6 +12,8 @@
 #include "base/text.h"
 #include "tests/common/process.h"
 
+namespace terminal_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -83,7 +85,7 @@ class Terminal {
     std::string heard_;
 };
 
-class TerminalTest : public testing::Test {
+class TerminalTest : public ::testing::Test {
   protected:
     void SetUp() override {
         state_ = fs::temp_directory_path() / ("kadr-state-" + std::to_string(::getpid()));
@@ -239,3 +241,5 @@ TEST(Pipe, AScriptIsAnsweredAndAnErrorIsItsStatus) {
 }
 
 }  // namespace
+
+}  // namespace terminal_test

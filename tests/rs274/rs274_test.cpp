@@ -20,6 +20,8 @@
 #include "machine/machine.h"
 #include "nc/reader.h"
 
+namespace rs274_test {
+
 namespace {
 
 using kadr::path::Command;
@@ -339,7 +341,7 @@ std::vector<Step> interpreted_steps(const Program& program) {
     return std::move(reduction.steps);
 }
 
-class Rs274 : public testing::TestWithParam<std::string> {};
+class Rs274 : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Rs274, SaysTheSame) {
     const Program program = read_program(GetParam());
@@ -358,7 +360,9 @@ TEST_P(Rs274, SaysTheSame) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, Rs274, testing::ValuesIn(program_names()),
+INSTANTIATE_TEST_SUITE_P(Programs, Rs274, ::testing::ValuesIn(program_names()),
                          [](const auto& program) { return program.param; });
 
 }  // namespace
+
+}  // namespace rs274_test

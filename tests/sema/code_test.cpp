@@ -3,7 +3,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::code_test {
 namespace {
 
 TEST(Code, ALoopTurnsWithOneInstruction) {
@@ -50,4 +50,4 @@ TEST(Code, ShapesOfBlocksAreShared) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::code_test

@@ -11,7 +11,7 @@
 #include "base/diagnostics/sema.h"
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::examples_test {
 namespace {
 
 RunOptions small_limits() {
@@ -73,4 +73,4 @@ TEST(Examples, WrongOnesCauseTheMessageAndRightOnesNone) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::examples_test

@@ -8,7 +8,7 @@
 
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::mistakes_test {
 namespace {
 
 struct Row {
@@ -471,4 +471,4 @@ TEST(Mistakes, TooManyFunctions) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::mistakes_test

@@ -8,7 +8,7 @@
 #include "sema/csv.h"
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::tables_test {
 namespace {
 
 class Tables : public ::testing::Test {
@@ -170,4 +170,4 @@ TEST_F(Pictures, AreNamedWithTheirMistakes) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::tables_test

@@ -5,7 +5,7 @@
 #include "base/diagnostics/sema.h"
 #include "tests/sema/running.h"
 
-namespace kadr::testing {
+namespace kadr::testing::values_test {
 namespace {
 
 struct Row {
@@ -415,4 +415,4 @@ TEST(Values, FeedsKeepTheirForm) {
 }
 
 }  // namespace
-}  // namespace kadr::testing
+}  // namespace kadr::testing::values_test

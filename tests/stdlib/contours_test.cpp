@@ -12,6 +12,8 @@
 #include "tests/stdlib/cycle_run.h"
 #include "tests/stdlib/stock.h"
 
+namespace contours_test {
+
 namespace {
 
 using namespace stdlib_test;
@@ -355,3 +357,5 @@ TEST(Contours, ChamfersOfAnyShape) {
 }
 
 }  // namespace
+
+}  // namespace contours_test

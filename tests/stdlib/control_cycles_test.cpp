@@ -17,6 +17,8 @@
 #include "tests/stdlib/cycle_run.h"
 #include "tests/stdlib/stock.h"
 
+namespace control_cycles_test {
+
 namespace {
 
 using namespace stdlib_test;
@@ -324,3 +326,5 @@ TEST(ControlCycles, AlongAContour) {
 }
 
 }  // namespace
+
+}  // namespace control_cycles_test

@@ -12,6 +12,8 @@
 
 #include "base/text.h"
 
+namespace coverage_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -128,3 +130,5 @@ TEST(Coverage, EveryCycleIsRunOverRandomParameters) {
 }
 
 }  // namespace
+
+}  // namespace coverage_test

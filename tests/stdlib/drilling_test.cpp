@@ -16,6 +16,8 @@
 #include "tests/common/process.h"
 #include "tests/stdlib/commands.h"
 
+namespace drilling_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,3 +231,5 @@ TEST(Drilling, WaysOut) {
 }
 
 }  // namespace
+
+}  // namespace drilling_test

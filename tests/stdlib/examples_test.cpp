@@ -8,6 +8,8 @@
 #include "base/text.h"
 #include "tests/common/process.h"
 
+namespace examples_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,3 +45,5 @@ TEST(Examples, OfTheLibrarysDocumentationRun) {
 }
 
 }  // namespace
+
+}  // namespace examples_test

@@ -14,6 +14,8 @@
 #include "tests/stdlib/cycle_run.h"
 #include "tests/stdlib/profile.h"
 
+namespace lathe_cycles_test {
+
 namespace {
 
 using namespace stdlib_test;
@@ -533,3 +535,5 @@ TEST(LatheCycles, AThreadByItsSizeIsTheOneByItsPitch) {
 }
 
 }  // namespace
+
+}  // namespace lathe_cycles_test

@@ -6,6 +6,8 @@
 #include "tests/stdlib/cycle_run.h"
 #include "tests/stdlib/stock.h"
 
+namespace milling_test {
+
 namespace {
 
 using namespace stdlib_test;
@@ -340,3 +342,5 @@ TEST(Milling, ChamfersOfAnySize) {
 }
 
 }  // namespace
+
+}  // namespace milling_test

@@ -14,6 +14,8 @@
 #include "base/text.h"
 #include "tests/common/process.h"
 
+namespace native_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -243,3 +245,5 @@ TEST(ShopText, SinumerikCycles) {
 }
 
 }  // namespace
+
+}  // namespace native_test

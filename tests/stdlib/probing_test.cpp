@@ -10,6 +10,8 @@
 
 #include "tests/stdlib/commands.h"
 
+namespace probing_test {
+
 namespace {
 
 using nlohmann::json;
@@ -232,3 +234,5 @@ TEST(Probing, ForbiddenParametersSaySo) {
 }
 
 }  // namespace
+
+}  // namespace probing_test

@@ -7,6 +7,8 @@
 
 #include "tests/common/process.h"
 
+namespace properties_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,3 +27,5 @@ TEST(Properties, OfTheLibraryHold) {
 }
 
 }  // namespace
+
+}  // namespace properties_test

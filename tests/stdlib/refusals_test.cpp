@@ -24,6 +24,8 @@
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"
 
+namespace refusals_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -236,3 +238,5 @@ TEST(Refusals, EveryRequirementOfTheLibraryHasOne) {
 }
 
 }  // namespace
+
+}  // namespace refusals_test

@@ -8,6 +8,8 @@
 
 #include "tests/stdlib/commands.h"
 
+namespace threading_test {
+
 namespace {
 
 using nlohmann::json;
@@ -234,3 +236,5 @@ TEST(Threading, ForbiddenParametersSaySo) {
 }
 
 }  // namespace
+
+}  // namespace threading_test

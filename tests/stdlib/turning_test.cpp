@@ -11,6 +11,8 @@
 #include "tests/stdlib/cycle_run.h"
 #include "tests/stdlib/profile.h"
 
+namespace turning_test {
+
 namespace {
 
 using namespace stdlib_test;
@@ -695,3 +697,5 @@ TEST(Turning, SameOnEveryControl) {
 }
 
 }  // namespace
+
+}  // namespace turning_test

@@ -9,7 +9,7 @@
 #include "syntax/retype.h"
 #include "syntax/words.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::ambiguity_test {
 namespace {
 
 class AmbiguityCounter final : public antlr4::BaseErrorListener {
@@ -76,4 +76,4 @@ TEST(Ambiguity, NoneInThePrograms) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::ambiguity_test

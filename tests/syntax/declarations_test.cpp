@@ -1,7 +1,7 @@
 // Everything that stands at the level of a file, whole programs, and other keyword languages.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::declarations_test {
 namespace {
 
 TEST(Declarations, EachKind) {
@@ -130,4 +130,4 @@ TEST(Declarations, Header) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::declarations_test

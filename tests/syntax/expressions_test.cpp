@@ -1,7 +1,7 @@
 // Expressions: literals with units, C's precedence, calls, values in braces.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::expressions_test {
 namespace {
 
 TEST(Expressions, Numbers) {
@@ -115,4 +115,4 @@ TEST(Expressions, UnicodeNames) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::expressions_test

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "tests/syntax/parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::format_test {
 
 namespace {
 
@@ -283,4 +283,4 @@ TEST(Format, AMistakeIsReportedAndNothingComesBack) {
 
 }  // namespace
 
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::format_test

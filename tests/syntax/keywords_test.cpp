@@ -6,7 +6,7 @@
 #include "parsing.h"
 #include "tests/common/scratch.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::keywords_test {
 namespace {
 
 TEST(Keywords, ShippedFilesAreWhole) {
@@ -103,4 +103,4 @@ TEST(Keywords, WordsForBraces) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::keywords_test

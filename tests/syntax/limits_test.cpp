@@ -3,7 +3,7 @@
 
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::limits_test {
 namespace {
 
 std::string repeated(const std::string& text, int times) {
@@ -124,4 +124,4 @@ TEST(Limits, ASourceCutAnywhereIsSurvived) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::limits_test

@@ -1,7 +1,7 @@
 // Places in the source are bytes, whatever the characters before them.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::locations_test {
 namespace {
 
 TEST(Places, AreBytes) {
@@ -42,4 +42,4 @@ TEST(Places, BehindRawTextAndUnclosedStrings) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::locations_test

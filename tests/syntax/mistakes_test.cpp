@@ -2,7 +2,7 @@
 // one message, and the rest of the program is still looked at.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::mistakes_test {
 namespace {
 
 TEST(Mistakes, Semicolons) {
@@ -407,4 +407,4 @@ cycle b() { G1 Х5; })",
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::mistakes_test

@@ -1,7 +1,7 @@
 // Mistakes in characters, texts and numbers: wrong programs and what is said about them.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::mistakes_text_test {
 namespace {
 
 TEST(TextMistakes, Texts) {
@@ -57,4 +57,4 @@ TEST(TextMistakes, Letters) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::mistakes_text_test

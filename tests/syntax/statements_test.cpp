@@ -1,7 +1,7 @@
 // Every statement of the language, and how statements nest.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::statements_test {
 namespace {
 
 TEST(Statements, Simple) {
@@ -130,4 +130,4 @@ TEST(Statements, LinesOfOneBlock) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::statements_test

@@ -3,7 +3,7 @@
 
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::table_test {
 namespace {
 
 /// Rows whose examples are no Kadr text: files in other formats, commands, XML.
@@ -35,4 +35,4 @@ TEST(Table, ExamplesOfTheMessages) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::table_test

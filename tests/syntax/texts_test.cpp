@@ -1,7 +1,7 @@
 // Strings with values in braces, raw text.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::texts_test {
 namespace {
 
 TEST(Texts, Strings) {
@@ -44,4 +44,4 @@ TEST(Texts, Raw) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::texts_test

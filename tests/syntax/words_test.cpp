@@ -1,7 +1,7 @@
 // Words of NC blocks: literals, computed values, modes, points.
 #include "parsing.h"
 
-namespace kadr::syntax {
+namespace kadr::syntax::words_test {
 namespace {
 
 TEST(Words, Literals) {
@@ -93,4 +93,4 @@ TEST(Words, ArgumentsLeftOut) {
 }
 
 }  // namespace
-}  // namespace kadr::syntax
+}  // namespace kadr::syntax::words_test

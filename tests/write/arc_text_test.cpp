@@ -16,7 +16,7 @@
 #include "tests/nc/nc_testing.h"
 #include "write/writer.h"
 
-namespace kadr::write {
+namespace kadr::write::arc_text_test {
 
 using namespace nc;
 namespace testing = nc::testing;
@@ -469,4 +469,4 @@ TEST(ArcText, FunctionsOfAnArcInParts) {
 }
 
 }  // namespace
-}  // namespace kadr::write
+}  // namespace kadr::write::arc_text_test

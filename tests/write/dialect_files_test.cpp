@@ -7,7 +7,7 @@
 #include "tests/nc/nc_testing.h"
 #include "write/check.h"
 
-namespace kadr::write {
+namespace kadr::write::dialect_files_test {
 
 using namespace nc;
 namespace testing = nc::testing;
@@ -62,4 +62,4 @@ TEST(DialectFiles, ExamplesAreTrue) {
 }
 
 }  // namespace
-}  // namespace kadr::write
+}  // namespace kadr::write::dialect_files_test

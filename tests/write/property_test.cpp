@@ -14,7 +14,7 @@
 #include "tests/nc/nc_testing.h"
 #include "write/writer.h"
 
-namespace kadr::write {
+namespace kadr::write::property_test {
 
 using namespace nc;
 namespace testing = nc::testing;
@@ -701,4 +701,4 @@ RC_GTEST_PROP(RoundTrip, ArcCentresFit, ()) {
 }
 
 }  // namespace
-}  // namespace kadr::write
+}  // namespace kadr::write::property_test

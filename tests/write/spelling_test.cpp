@@ -17,7 +17,7 @@
 #include "tests/nc/nc_testing.h"
 #include "write/check.h"
 
-namespace kadr::write {
+namespace kadr::write::spelling_test {
 
 using namespace nc;
 namespace testing = nc::testing;
@@ -133,4 +133,4 @@ TEST(Spelling, ExamplesSayWhyAFormWasPassedOver) {
 }
 
 }  // namespace
-}  // namespace kadr::write
+}  // namespace kadr::write::spelling_test

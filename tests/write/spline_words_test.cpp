@@ -5,7 +5,7 @@
 #include "tests/nc/nc_testing.h"
 #include "write/writer.h"
 
-namespace kadr::write {
+namespace kadr::write::spline_words_test {
 
 using namespace nc;
 namespace testing = nc::testing;
@@ -127,4 +127,4 @@ TEST(SplineWords, WhereThereIsNoSpelling) {
 }
 
 }  // namespace
-}  // namespace kadr::write
+}  // namespace kadr::write::spline_words_test

@@ -9,7 +9,7 @@
 #include "tests/common/scratch.h"
 #include "tests/nc/nc_testing.h"
 
-namespace kadr::write {
+namespace kadr::write::writer_test {
 
 using namespace nc;
 namespace testing = nc::testing;
@@ -795,4 +795,4 @@ TEST(Writer, MessagesNameTheStatement) {
 }
 
 }  // namespace
-}  // namespace kadr::write
+}  // namespace kadr::write::writer_test

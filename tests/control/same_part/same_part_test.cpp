@@ -12,6 +12,8 @@
 
 #include "tests/common/process.h"
 
+namespace same_part_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,3 +69,5 @@ TEST(SamePart, FlangeInThreeLanguages) {
 }
 
 }  // namespace
+
+}  // namespace same_part_test
