@@ -25,7 +25,6 @@ enum class Givenness : std::uint8_t { Given, Perhaps, NotGiven };
 struct DeclaredSymbol {
     enum class Kind : std::uint8_t {
         Variable,
-        LoopVariable,
         Parameter,
         Contour,
         Function,

@@ -22,6 +22,8 @@
 #include "nc/dialect.h"
 #include "nc/rules.h"
 #include "sema/quantity.h"
+#include "sema/slot.h"
+#include "sema/test_code.h"
 
 namespace kadr::sema {
 
@@ -30,34 +32,6 @@ enum class OpCode : std::uint16_t {
 #include "sema/opcodes.def"
 #undef KADR_OP
 };
-
-/// A register, or one piece of an array's element. What it holds is the checker's knowledge.
-union Slot {
-    std::int64_t integer;
-    double number;
-};
-static_assert(sizeof(Slot) == 8);
-
-enum class SlotKind : std::uint8_t { Integer, Number, Text, Array };
-
-/// "Not given" for whole numbers, truth values and handles. A real number that is not given is a
-/// NaN: no calculation of the language yields one.
-inline constexpr std::int64_t kNotGivenInteger = std::numeric_limits<std::int64_t>::min();
-inline constexpr double kNotGivenNumber = std::numeric_limits<double>::quiet_NaN();
-
-/// A feed or speed can be of two forms: per time or per revolution, of the spindle or of cutting.
-/// Which one is known only when the program runs: the second form is stored multiplied by this, a
-/// power of two far beyond any real value, so the two are told apart by size and nothing is lost.
-inline constexpr double kSecondForm = 0x1p600;
-/// Flag beside the form that an instruction asks for: it is one of a speed, not of a feed.
-inline constexpr std::uint32_t kSpeedForm = 2;
-inline bool is_second_form(double value) { return std::fabs(value) > 0x1p300; }
-
-/// Whether a register that holds such a value (a SlotKind) holds one.
-inline bool is_given(Slot slot, unsigned kind) {
-    return kind == static_cast<unsigned>(SlotKind::Number) ? slot.number == slot.number
-                                                           : slot.integer != kNotGivenInteger;
-}
 
 /// Registers of one function at most; calls and points need some room above a function's own.
 inline constexpr std::uint32_t kMostRegisters = 60000;
@@ -412,61 +386,6 @@ struct ParameterInfo {
     std::uint32_t enumeration = 0;  // index into Code::enums
     std::uint32_t layout = 0;       // of the elements of a Contour
     SourceRange range;
-};
-
-/// What a test asks about an execution.
-enum class Figure : std::uint8_t {
-#define KADR_FIGURE(name, word, result, parameters, meaning) name,
-#include "sema/figures.def"
-#undef KADR_FIGURE
-};
-enum class FigureResult : std::uint8_t {
-    Count,
-    Length,
-    Time,
-    Truth,
-    Text,
-    Point,
-    Counts,
-    Lengths,
-};
-struct FigureInfo {
-    Figure figure;
-    std::string_view name;
-    FigureResult result;
-    std::string_view parameters;  // as in figures.def; empty: it is not a function
-    std::string_view meaning;
-};
-std::span<const FigureInfo> all_figures();
-
-/// A call that a test has executed instead of evaluating it. In the registers from `a` of its
-/// instruction stand the options, then the arguments.
-struct TestCall {
-    enum class Purpose : std::uint8_t { Execute, Attempt, Text, ExpectError };
-    Purpose purpose = Purpose::Execute;
-    std::uint32_t function = 0;
-    std::uint32_t given = 0;             // bit i: argument i was given
-    std::vector<std::uint32_t> layouts;  // of the parameters
-};
-/// Registers in front of the arguments: where a cycle begins (a point), feed, speed, and the text
-/// that the purpose needs: the dialect, or the code of the error. What is not given is the default.
-inline constexpr std::uint32_t kTestOptions = 6;
-
-/// Why an expectation failed, as far as the instruction knows.
-enum class Expectation : std::uint8_t { Compared, Untrue, UntrueOfText };
-/// Flag beside an Expectation: a figure that is a function was asked, its reason is worth a note.
-inline constexpr std::uint32_t kHasReason = 8;
-
-/// Lengths, angles and times in a test are equal up to here, in mm, degrees, seconds: half of a
-/// thousandth is what the last digit of the text rounds, the rest is for the last binary digit.
-inline constexpr double kExpectTolerance = 0.0005 + 1e-9;
-
-/// The values that a parameter of a property takes.
-struct PropertyRange {
-    Slot from{};  // as in a register
-    Slot to{};
-    double factor = 1;  // of the unit that the value is shown in
-    std::string unit;
 };
 
 enum class FunctionKind : std::uint8_t { Plain, Cycle, Program, Startup, Test, Property };

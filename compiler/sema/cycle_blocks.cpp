@@ -1,12 +1,22 @@
 // cycle_blocks.cpp — cycles as the control of the input dialect has them, `G83 …` and
 // `CYCLE81(…)`: the library's cycle is called, which every target can write.
+#include "sema/cycle_blocks.h"
+
 #include <algorithm>
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/sema.h"
 #include "nc/cycle_codes.h"
 #include "nc/tables.h"
-#include "sema/checker.h"
+#include "sema/blocks.h"
+#include "sema/checking.h"
+#include "sema/declarations.h"
+#include "sema/expressions.h"
+#include "sema/native_cycles.h"
+#include "sema/optionals.h"
+#include "sema/orienting.h"
+#include "sema/statements.h"
+#include "sema/values.h"
 
 namespace kadr::sema {
 
@@ -17,20 +27,21 @@ using syntax::Stmt;
 using syntax::Word;
 
 /// Files of the library whose cycles are blocks of this one; they are no imports of it.
-void Checker::load_cycles(std::uint32_t module) {
-    const syntax::Ast& tree = *modules_[module].ast;
-    const nc::Dialect& dialect = *modules_[module].dialect;
+void load_cycles(Check& check, std::uint32_t module) {
+    const syntax::Ast& tree = *check.names.module(module).ast;
+    const nc::Dialect& dialect = *check.names.module(module).dialect;
     if (dialect.is_core()) return;
     const auto load = [&](nc::CycleId cycle, const SourceRange& location) {
-        if (cycle_modules_.contains(cycle) || !nc::can_be_source(dialect, cycle)) return;
+        if (check.names.cycle_module(cycle) || !nc::can_be_source(dialect, cycle)) return;
         const ModuleLoader::Module found =
-            loader_.load(dialect.cycles()[cycle].module, false, tree.file, location);
+            check.loader.load(dialect.cycles()[cycle].module, false, tree.file, location);
         if (found.ast == nullptr) {
-            ++sink_.errors;  // the loader has reported why
+            ++check.sink.errors;  // the loader has reported why
             return;
         }
-        cycle_modules_[cycle] =
-            load_module(*found.ast, found.dialect != nullptr ? *found.dialect : dialect);
+        check.names.set_cycle_module(
+            cycle,
+            load_module(check, *found.ast, found.dialect != nullptr ? *found.dialect : dialect));
     };
     for (const Word& word : tree.words) {
         if (word.form != Word::Form::Literal) continue;
@@ -53,62 +64,63 @@ void Checker::load_cycles(std::uint32_t module) {
     }
 }
 
+namespace {
+
 /// The library's cycle; null if the file that stands for it has another one of that name.
-const Name* Checker::cycle_function(nc::CycleId cycle) const {
-    const auto module = cycle_modules_.find(cycle);
-    if (module == cycle_modules_.end()) return nullptr;
-    const std::string_view name = modules_[0].dialect->cycles()[cycle].name;
-    const auto found = modules_[module->second].names.find(name);
-    if (found == modules_[module->second].names.end()) return nullptr;
+const Name* cycle_function(const Check& check, nc::CycleId cycle) {
+    const std::optional<std::uint32_t> module = check.names.cycle_module(cycle);
+    if (!module) return nullptr;
+    const std::string_view name = check.names.module(0).dialect->cycles()[cycle].name;
+    const auto found = check.names.module(*module).names.find(name);
+    if (found == check.names.module(*module).names.end()) return nullptr;
     const bool is_function = found->second.what == Name::What::Function;
-    if (!is_function || native_cycle(functions_[found->second.index]) != cycle) return nullptr;
+    if (!is_function || native_cycle(check, check.names.function(found->second.index)) != cycle)
+        return nullptr;
     return &found->second;
 }
 
-Done Checker::begin_cycle(SourceCycle& cycle, nc::CycleId id, const SourceRange& range) {
-    const nc::Dialect& dialect = *modules_[module_].dialect;
-    const Name* found = cycle_function(id);
+Done begin_cycle(Check& check, SourceCycle& cycle, nc::CycleId id, const SourceRange& range) {
+    const nc::Dialect& dialect = check.dialect();
+    const Name* found = cycle_function(check, id);
     if (found == nullptr) {
-        report(diag::SourceCycle, range).arg(cycle.word);
+        check.report(diag::SourceCycle, range).arg(cycle.word);
         return kFailed;
     }
-    FunctionDecl& function = functions_[found->index];
-    if (!function.is_wanted) {
-        function.is_wanted = true;
-        wanted_.push_back(found->index);
-    }
+    check.names.want(found->index);
     cycle.function = found->index + 1;
-    record_.note_word(module_, range, found->checked);
+    check.record.note_word(check.here.module, range, found->checked);
     cycle.rules = dialect.rules();
     cycle.has_other_in_strokes = nc::cycle_with_strokes(dialect, id).has_value();
     return kDone;
 }
 
-void Checker::emit_cycle(SourceCycle cycle, Reg first, const SourceRange& range) {
-    const auto index = static_cast<std::int64_t>(code_->cycles.size());
-    code_->cycles.push_back(std::move(cycle));
-    emit_.emit_pair(OpCode::SayCycle, first, 0, static_cast<unsigned>(loop_depth_), index,
-                    statement_id(range));
-    emit_run_cycle(range);
+}  // namespace
+
+void emit_cycle(Check& check, SourceCycle cycle, Reg first, const SourceRange& range) {
+    const auto index = static_cast<std::int64_t>(check.code->cycles.size());
+    check.code->cycles.push_back(std::move(cycle));
+    check.emit.emit_pair(OpCode::SayCycle, first, 0, static_cast<unsigned>(check.here.loop_depth),
+                         index, statement_id(check, range));
+    emit_run_cycle(check, range);
 }
 
-void Checker::emit_run_cycle(const SourceRange& range) {
-    const auto depth = static_cast<unsigned>(loop_depth_);
-    const Reg mark = emit_.mark();
-    const Reg first = emit_.take(1);
-    emit_.emit_pair(OpCode::RunCycle, first, 0, depth, statement_id(range));
-    emit_.release_to(mark);
-    emit_.emit_pair(OpCode::LeaveCycle, 0, 0, depth, 0, statement_id(range));
+void emit_run_cycle(Check& check, const SourceRange& range) {
+    const auto depth = static_cast<unsigned>(check.here.loop_depth);
+    const Reg mark = check.emit.mark();
+    const Reg first = check.emit.take(1);
+    check.emit.emit_pair(OpCode::RunCycle, first, 0, depth, statement_id(check, range));
+    check.emit.release_to(mark);
+    check.emit.emit_pair(OpCode::LeaveCycle, 0, 0, depth, 0, statement_id(check, range));
 }
 
 // ---------------------------------------------------------------- words: `G83 X10. Z-20. R2. Q5.`
 
-std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& planned,
-                                               std::span<const Word> words) {
+std::optional<SourceCycle> take_cycle(Check& check, Plan& plan, const nc::BlockPlan& planned,
+                                      std::span<const Word> words) {
     const auto found =
         std::ranges::find(plan.functions, nc::Function::Cycle, &nc::Invocation::function);
     if (found == plan.functions.end()) return std::nullopt;
-    const nc::Dialect& dialect = *modules_[module_].dialect;
+    const nc::Dialect& dialect = check.dialect();
     const auto invocation = static_cast<std::size_t>(found - plan.functions.begin());
     const std::span<const nc::Parameter> parameters = dialect.cycles()[plan.cycle].parameters;
     SourceCycle cycle;
@@ -116,9 +128,9 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
     SourceRange range = words[0].range;
     for (const Word& word : words) {
         if (word.form != Word::Form::Literal ||
-            nc::cycle_of(dialect, text(word.address), word.number) != planned.block.cycle)
+            nc::cycle_of(dialect, check.text(word.address), word.number) != planned.block.cycle)
             continue;
-        cycle.word = word_text(word);
+        cycle.word = word_text(check, word);
         range = word.range;
     }
     const auto is_other = [&](const Filling& filling) {
@@ -141,14 +153,14 @@ std::optional<SourceCycle> Checker::take_cycle(Plan& plan, const nc::BlockPlan& 
     plan.functions.erase(found);
     plan.customs |= custom::kCyclePosition;
     if (plan.motion != nc::Function::None) {
-        report(diag::BlockWordConflict, range)
+        check.report(diag::BlockWordConflict, range)
             .arg(cycle.word)
             .arg(nc::info(plan.motion).name)
             .fix("the cycle goes to its position at rapid by itself, and a motion code ends it");
         return std::nullopt;
     }
     const nc::CycleId id = std::exchange(plan.cycle, nc::CycleId{0});
-    if (!begin_cycle(cycle, id, range)) return std::nullopt;
+    if (!begin_cycle(check, cycle, id, range)) return std::nullopt;
     return cycle;
 }
 
@@ -179,61 +191,65 @@ bool gives_motion(const nc::DialectTables& tables, std::string_view address, dou
 }  // namespace
 
 /// `K5` in a block that calls a cycle or can be a position of one; in another it is a centre.
-const Word* Checker::repeats_of(std::span<const Word> words) const {
-    const nc::Dialect& dialect = *modules_[module_].dialect;
-    if (dialect.is_core() || cycle_modules_.empty()) return nullptr;
+const Word* repeats_of(const Check& check, std::span<const Word> words) {
+    const nc::Dialect& dialect = check.dialect();
+    if (dialect.is_core() || !check.names.has_cycle_blocks()) return nullptr;
     const std::string_view address = repeats_address(dialect.tables());
     const Word* times = nullptr;
     bool has_cycle = false;
     bool has_motion = false;
     for (const Word& word : words) {
         if (word.form != Word::Form::Literal) continue;
-        if (text(word.address) == address && !has_point(word)) times = &word;
-        has_cycle |= nc::cycle_of(dialect, text(word.address), word.number).has_value();
-        has_motion |= gives_motion(dialect.tables(), text(word.address), word.number);
+        if (check.text(word.address) == address && !has_point(check, word)) times = &word;
+        has_cycle |= nc::cycle_of(dialect, check.text(word.address), word.number).has_value();
+        has_motion |= gives_motion(dialect.tables(), check.text(word.address), word.number);
     }
     return has_cycle || !has_motion ? times : nullptr;
 }
 
 /// The block, then its position in the plane again and again: under G91 one behind the other.
-void Checker::repeat_places(const Stmt& stmt, const Word& times) {
+void repeat_places(Check& check, const Stmt& stmt, const Word& times) {
     constexpr double kMost = 9999;
     std::vector<Word> words;
     std::vector<Word> place;
-    for (const Word& word : ast().word_run(stmt.words)) {
+    for (const Word& word : check.ast().word_run(stmt.words)) {
         if (&word == &times) continue;
         words.push_back(word);
-        if (text(word.address) == "X" || text(word.address) == "Y") place.push_back(word);
+        if (check.text(word.address) == "X" || check.text(word.address) == "Y")
+            place.push_back(word);
     }
     const char* fault = times.number < 1 || times.number > kMost
                             ? "1 to 9999 times it can be; what 0 keeps for later blocks they say"
                         : place.empty() ? "the block names no position in the plane"
                                         : nullptr;
     if (fault != nullptr) {
-        report(diag::SourceRepeats, times.range).arg(word_text(times)).arg(fault);
+        check.report(diag::SourceRepeats, times.range).arg(word_text(check, times)).arg(fault);
         return;
     }
-    const std::size_t errors = sink_.errors;
-    emit_words(words, behind_words(stmt), stmt.range, stmt.skip_level, custom::kRepeats);
-    for (int i = 1; i < static_cast<int>(times.number) && errors == sink_.errors; ++i)
-        emit_words(place, {}, stmt.range, stmt.skip_level, custom::kRepeats);
+    const std::size_t errors = check.sink.errors;
+    emit_words(check, words, behind_words(check, stmt), stmt.range, stmt.skip_level,
+               custom::kRepeats);
+    for (int i = 1; i < static_cast<int>(times.number) && errors == check.sink.errors; ++i)
+        emit_words(check, place, {}, stmt.range, stmt.skip_level, custom::kRepeats);
 }
 
 // ---------------------------------------------------------------- calls: `CYCLE81(50,2,,-10)`
 
+namespace {
+
 /// What the arguments give as far as the form of the call depends on it; their values beside them.
-std::vector<nc::SourceArgument> Checker::source_arguments(std::span<const ExprId> items,
-                                                          std::vector<Value>& values) {
+std::vector<nc::SourceArgument> source_arguments(Check& check, std::span<const ExprId> items,
+                                                 std::vector<Value>& values) {
     using ArgumentKind = nc::SourceArgument::Kind;
     std::vector<nc::SourceArgument> arguments(items.size());
     values.resize(items.size());
     for (std::size_t i = 0; i < items.size(); ++i) {
-        const Expr& item = ast()[items[i]];
+        const Expr& item = check.ast()[items[i]];
         arguments[i].range = item.range;
         const ExprId id = item.kind == ExprKind::Argument ? item.child[0] : items[i];
         if (!id.is_valid()) continue;
-        values[i] = require_given(expression(id), item.range, {});
-        const TypeInfo type = type_info(values[i].type);
+        values[i] = require_given(check, expression(check, id), item.range, {});
+        const TypeInfo type = check.type_info(values[i].type);
         const bool is_number = type.kind == TypeKind::Int || type.kind == TypeKind::Real;
         if (type.kind == TypeKind::String) {
             arguments[i].kind = ArgumentKind::Text;
@@ -250,48 +266,51 @@ std::vector<nc::SourceArgument> Checker::source_arguments(std::span<const ExprId
 }
 
 /// Puts the values into the registers from `first`; what is added to another one goes there.
-void Checker::fill_cycle(const nc::BlockPlan& plan, std::span<const Value> values,
-                         std::span<const ExprId> items, Reg first, SourceCycle& cycle) {
+void fill_cycle(Check& check, const nc::BlockPlan& plan, std::span<const Value> values,
+                std::span<const ExprId> items, Reg first, SourceCycle& cycle) {
     for (const nc::Hole& hole : plan.holes) {
-        const SourceRange range = ast()[items[hole.word]].range;
-        const Reg mark = emit_.mark();
+        const SourceRange range = check.ast()[items[hole.word]].range;
+        const Reg mark = check.emit.mark();
         const auto known =
             std::ranges::find(cycle.arguments, hole.parameter, &SourceCycle::Argument::parameter);
         const auto place = static_cast<Reg>(first + (known - cycle.arguments.begin()));
         const bool adds = hole.adds && known != cycle.arguments.end();
-        const Reg reg = adds ? emit_.take(1) : place;
-        emit_.set_location(range);
-        const Filling filling =
-            fill_value(values[hole.word], hole.dimension, range, sources_.text(range), reg);
+        const Reg reg = adds ? check.emit.take(1) : place;
+        check.emit.set_location(range);
+        const Filling filling = fill_value(check, values[hole.word], hole.dimension, range,
+                                           check.sources.text(range), reg);
         // A sign of the pattern holds for values with units as well (`{-pitch}`).
         const bool is_count = filling.form == Filling::Form::Count;
-        if (hole.factor != 1 && !is_count) emit_.emit_number(OpCode::MulFK, reg, reg, hole.factor);
+        if (hole.factor != 1 && !is_count)
+            check.emit.emit_number(OpCode::MulFK, reg, reg, hole.factor);
         if (adds) {
             // A clearance is entered without its sign (S 9.1 SDIS).
-            emit_.emit(OpCode::Math1, reg, reg, static_cast<unsigned>(Math::Abs));
-            emit_.emit(OpCode::AddF, place, place, reg);
+            check.emit.emit(OpCode::Math1, reg, reg, static_cast<unsigned>(Math::Abs));
+            check.emit.emit(OpCode::AddF, place, place, reg);
         } else cycle.arguments.push_back({hole.parameter, is_count});
-        emit_.release_to(mark);
+        check.emit.release_to(mark);
     }
 }
 
-Value Checker::cycle_call(const Expr& expr, SourceCycle::Kind kind) {
-    const nc::Dialect& dialect = *modules_[module_].dialect;
-    const SourceRange range = ast()[expr.child[0]].range;
+}  // namespace
+
+Value cycle_call(Check& check, const Expr& expr, SourceCycle::Kind kind) {
+    const nc::Dialect& dialect = check.dialect();
+    const SourceRange range = check.ast()[expr.child[0]].range;
     SourceCycle cycle;
     cycle.kind = kind;
-    cycle.word = text(ast()[expr.child[0]].text);
-    const Reg mark = emit_.mark();
+    cycle.word = check.text(check.ast()[expr.child[0]].text);
+    const Reg mark = check.emit.mark();
     const Value nothing = in_registers(types::kVoid, 0);
-    const std::span<const ExprId> items = ast().exprs(expr.list);
+    const std::span<const ExprId> items = check.ast().exprs(expr.list);
     std::vector<Value> values;
-    const std::vector<nc::SourceArgument> arguments = source_arguments(items, values);
+    const std::vector<nc::SourceArgument> arguments = source_arguments(check, items, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (arguments[i].kind != nc::SourceArgument::Kind::Empty && is_error(values[i]))
+        if (arguments[i].kind != nc::SourceArgument::Kind::Empty && check.is_error(values[i]))
             return nothing;
     }
-    const auto plan = nc::plan_call(dialect, cycle.word, range, arguments, sink_);
-    if (!plan || !begin_cycle(cycle, plan->block.cycle, range)) return nothing;
+    const auto plan = nc::plan_call(dialect, cycle.word, range, arguments, check.sink);
+    if (!plan || !begin_cycle(check, cycle, plan->block.cycle, range)) return nothing;
     const nc::Invocation& invocation = plan->block.functions[0];
     for (unsigned i = 0; i < 32; ++i) {
         if ((invocation.given >> i & 1u) != 0) {
@@ -299,51 +318,53 @@ Value Checker::cycle_call(const Expr& expr, SourceCycle::Kind kind) {
                                      plan->block.argument(invocation, i));
         }
     }
-    const Reg first = emit_.take(std::max<unsigned>(1, static_cast<unsigned>(plan->holes.size())));
-    fill_cycle(*plan, values, items, first, cycle);
-    emit_.set_location(expr.range);
-    emit_cycle(std::move(cycle), first, expr.range);
-    emit_.release_to(mark);
+    const Reg first =
+        check.emit.take(std::max<unsigned>(1, static_cast<unsigned>(plan->holes.size())));
+    fill_cycle(check, *plan, values, items, first, cycle);
+    check.emit.set_location(expr.range);
+    emit_cycle(check, std::move(cycle), first, expr.range);
+    check.emit.release_to(mark);
     return nothing;
 }
 
-bool Checker::is_modal_call(std::span<const Word> words) const {
-    const std::string_view name = modules_[module_].dialect->modal_call();
+bool is_modal_call(const Check& check, std::span<const Word> words) {
+    const std::string_view name = check.dialect().modal_call();
     return !name.empty() && std::ranges::any_of(words, [&](const Word& word) {
-        return word.form == Word::Form::Bare && text(word.address) == name;
+        return word.form == Word::Form::Bare && check.text(word.address) == name;
     });
 }
 
 /// `MCALL CYCLE81(…);` and `MCALL;`. What stands behind the word is a point to the parser.
-void Checker::modal_call(const Stmt& stmt) {
-    const std::span<const Word> words = ast().word_run(stmt.words);
-    const std::string_view name = modules_[module_].dialect->modal_call();
+void modal_call(Check& check, const Stmt& stmt) {
+    const std::span<const Word> words = check.ast().word_run(stmt.words);
+    const std::string_view name = check.dialect().modal_call();
     for (const Word& word : words) {
-        const bool is_number = word.form == Word::Form::Literal && text(word.address) == "N";
-        if (is_number || text(word.address) == name) continue;
-        report(diag::BlockWordAlone, word.range).arg(name);
+        const bool is_number = word.form == Word::Form::Literal && check.text(word.address) == "N";
+        if (is_number || check.text(word.address) == name) continue;
+        check.report(diag::BlockWordAlone, word.range).arg(name);
         return;
     }
     if (stmt.skip_level >= 0) {
-        report(diag::SkipState, words[0].range).arg(name);
+        check.report(diag::SkipState, words[0].range).arg(name);
         return;
     }
     const ExprId id = stmt.expression[0];
     if (!id.is_valid()) {
-        emit_.set_location(stmt.range);
-        emit_.emit(OpCode::EndCycle);
+        check.emit.set_location(stmt.range);
+        check.emit.emit(OpCode::EndCycle);
         return;
     }
-    const Expr& expr = ast()[id];
-    const bool is_call = expr.kind == ExprKind::Call && ast()[expr.child[0]].kind == ExprKind::Name;
+    const Expr& expr = check.ast()[id];
+    const bool is_call =
+        expr.kind == ExprKind::Call && check.ast()[expr.child[0]].kind == ExprKind::Name;
     const nc::CallMeaning meaning =
-        is_call ? nc::call_meaning(*modules_[module_].dialect, text(ast()[expr.child[0]].text))
+        is_call ? nc::call_meaning(check.dialect(), check.text(check.ast()[expr.child[0]].text))
                 : nc::CallMeaning{};
     if (meaning.function != nc::Function::Cycle) {
-        report(diag::SourceModalCall, expr.range).arg(name);
+        check.report(diag::SourceModalCall, expr.range).arg(name);
         return;
     }
-    cycle_call(expr, SourceCycle::Kind::Called);
+    cycle_call(check, expr, SourceCycle::Kind::Called);
 }
 
 }  // namespace kadr::sema

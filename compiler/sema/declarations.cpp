@@ -1,4 +1,6 @@
 // declarations.cpp — files and what they declare: imports, types, functions, global variables.
+#include "sema/declarations.h"
+
 #include <algorithm>
 #include <array>
 #include <unordered_set>
@@ -6,7 +8,21 @@
 #include "base/assert.h"
 #include "base/diagnostics/sema.h"
 #include "base/text.h"
-#include "sema/checker.h"
+#include "sema/checking.h"
+#include "sema/composites.h"
+#include "sema/contours.h"
+#include "sema/convert.h"
+#include "sema/curves.h"
+#include "sema/cycle_blocks.h"
+#include "sema/expressions.h"
+#include "sema/native_cycles.h"
+#include "sema/preserves.h"
+#include "sema/scope.h"
+#include "sema/statements.h"
+#include "sema/tests.h"
+#include "sema/texts.h"
+#include "sema/values.h"
+#include "sema/with.h"
 #include "syntax/habits.h"
 
 namespace kadr::sema {
@@ -14,56 +30,74 @@ namespace kadr::sema {
 using syntax::Decl;
 using syntax::DeclKind;
 
-std::uint32_t Checker::load_module(const syntax::Ast& ast, const nc::Dialect& dialect) {
-    for (std::uint32_t i = 0; i < modules_.size(); ++i) {
-        if (modules_[i].ast == &ast) return i;
+namespace {
+
+void import_file(Check& check, std::uint32_t module, const syntax::Decl& decl);
+void check_header(Check& check, const syntax::Ast& ast);
+void declare_units(Check& check, std::uint32_t module);
+void declare_parameter(Check& check, const FunctionDecl& function, ParameterDecl& parameter);
+void report_missing_return(Check& check, const FunctionDecl& function, const syntax::Decl& decl,
+                           const SourceRange& end);
+void report_overflow(Check& check, std::string_view name, const SourceRange& range);
+void report_unused_parameters(Check& check);
+
+}  // namespace
+
+/// `units inch;` as the first statement of a program holds for all of it, its parameters too.
+Units units_of(const Check& check, const FunctionDecl& function) {
+    const syntax::Ast& tree = *check.names.module(function.module).ast;
+    const syntax::Decl& decl = tree[function.decl];
+    if (!decl.body.is_valid()) return check.names.module(function.module).units;
+    for (const syntax::StmtId id : tree.stmts(tree[decl.body].statements)) {
+        const syntax::Stmt& stmt = tree[id];
+        if (stmt.kind == syntax::StmtKind::Empty) continue;
+        if (stmt.kind != syntax::StmtKind::Units) break;
+        return tree.text(stmt.text) == "mm" ? Units::Metric : Units::Inch;
     }
-    const auto module = static_cast<std::uint32_t>(modules_.size());
-    ModuleScope scope;
-    scope.ast = &ast;
-    scope.dialect = &dialect;
-    modules_.push_back(std::move(scope));
-    record_.add_file(ast, dialect);
-    check_header(ast);
-    declare_units(module);
+    return check.names.module(function.module).units;
+}
+
+std::uint32_t load_module(Check& check, const syntax::Ast& ast, const nc::Dialect& dialect) {
+    if (const auto known = check.names.module_of(ast)) return *known;
+    const std::uint32_t module = check.names.add_module(ast, dialect);
+    check.record.add_file(ast, dialect);
+    check_header(check, ast);
+    declare_units(check, module);
     for (const syntax::DeclId id : ast.top) {
-        if (ast[id].kind == DeclKind::Import) import(module, ast[id]);
+        if (ast[id].kind == DeclKind::Import) import_file(check, module, ast[id]);
     }
-    load_cycles(module);
-    if (prelude_ == 0xffffffffu) {
-        // The first file asks for the prelude before anything else needs it; the prelude itself
-        // finds the mark below and does not import itself.
-        prelude_ = 0xfffffffeu;
-        const ModuleLoader::Module prelude =
-            loader_.load("prelude", false, ast.file, {ast.file, 0, 0});
-        if (prelude.ast != nullptr) {
-            prelude_ =
-                load_module(*prelude.ast, prelude.dialect != nullptr ? *prelude.dialect : dialect);
-        }
+    load_cycles(check, module);
+    // The first file asks for the prelude before anything else needs it; the prelude itself does
+    // not import itself.
+    if (!check.names.ask_for_prelude()) return module;
+    const ModuleLoader::Module prelude =
+        check.loader.load("prelude", false, ast.file, {ast.file, 0, 0});
+    if (prelude.ast != nullptr) {
+        check.names.set_prelude(load_module(
+            check, *prelude.ast, prelude.dialect != nullptr ? *prelude.dialect : dialect));
     }
     return module;
 }
 
-void Checker::import(std::uint32_t module, const Decl& decl) {
-    const syntax::Ast& from = *modules_[module].ast;
-    const nc::Dialect& dialect = *modules_[module].dialect;
+namespace {
+
+void import_file(Check& check, std::uint32_t module, const Decl& decl) {
+    const syntax::Ast& from = *check.names.module(module).ast;
+    const nc::Dialect& dialect = *check.names.module(module).dialect;
     const ModuleLoader::Module found =
-        loader_.load(from.text(decl.name), decl.is_file, from.file, decl.range);
+        check.loader.load(from.text(decl.name), decl.is_file, from.file, decl.range);
     if (found.ast == nullptr) {
-        ++sink_.errors;  // the loader has reported why
+        ++check.sink.errors;  // the loader has reported why
         return;
     }
     const std::uint32_t imported =
-        load_module(*found.ast, found.dialect != nullptr ? *found.dialect : dialect);
-    record_.import(module, decl.range, imported);
-    std::vector<std::uint32_t>& imports = modules_[module].imports;
-    if (std::find(imports.begin(), imports.end(), imported) == imports.end()) {
-        imports.push_back(imported);
-    }
+        load_module(check, *found.ast, found.dialect != nullptr ? *found.dialect : dialect);
+    check.record.import(module, decl.range, imported);
+    check.names.import(module, imported);
 }
 
 /// What tells how a file is to be read stands in front of everything that is read so, and once.
-void Checker::check_header(const syntax::Ast& ast) {
+void check_header(Check& check, const syntax::Ast& ast) {
     static constexpr std::pair<DeclKind, std::string_view> kHeaders[] = {
         {DeclKind::Units, "units"},
         {DeclKind::Dialect, "dialect"},
@@ -81,11 +115,11 @@ void Checker::check_header(const syntax::Ast& ast) {
         }
         const Decl*& before = said[static_cast<std::size_t>(header - kHeaders)];
         if (before != nullptr) {
-            report(diag::HeaderTwice, decl.range)
+            check.report(diag::HeaderTwice, decl.range)
                 .arg(header->second)
                 .note(before->range, "it stands here");
         } else if (first != nullptr) {
-            report(diag::HeaderLate, decl.range)
+            check.report(diag::HeaderLate, decl.range)
                 .arg(header->second)
                 .note(first->range, "the first declaration stands here");
         }
@@ -93,17 +127,16 @@ void Checker::check_header(const syntax::Ast& ast) {
     }
 }
 
-void Checker::declare_units(std::uint32_t module) {
-    const syntax::Ast& ast = *modules_[module].ast;
+void declare_units(Check& check, std::uint32_t module) {
+    const syntax::Ast& ast = *check.names.module(module).ast;
     for (const syntax::DeclId id : ast.top) {
         const Decl& decl = ast[id];
         if (decl.kind != DeclKind::Units) continue;
-        modules_[module].units = ast.text(decl.name) == "mm" ? Units::Metric : Units::Inch;
+        check.names.module(module).units =
+            ast.text(decl.name) == "mm" ? Units::Metric : Units::Inch;
     }
-    record_.set_units(module, modules_[module].units);
+    check.record.set_units(module, check.names.module(module).units);
 }
-
-namespace {
 
 DeclaredSymbol::Kind kind_of(DeclKind kind) {
     using Kind = DeclaredSymbol::Kind;
@@ -139,9 +172,9 @@ Name entry_of(Name::What what, std::uint32_t index, Type type = {}, std::int64_t
 
 }  // namespace
 
-DeclaredSymbol Checker::described(std::uint32_t module, syntax::DeclId id,
-                                  DeclaredSymbol::Kind kind) const {
-    const syntax::Ast& tree = *modules_[module].ast;
+DeclaredSymbol described(const Check& check, std::uint32_t module, syntax::DeclId id,
+                         DeclaredSymbol::Kind kind) {
+    const syntax::Ast& tree = *check.names.module(module).ast;
     DeclaredSymbol symbol;
     symbol.kind = kind;
     symbol.name = tree.text(tree[id].name);
@@ -152,30 +185,33 @@ DeclaredSymbol Checker::described(std::uint32_t module, syntax::DeclId id,
     return symbol;
 }
 
+namespace {
+
 /// Declares a name of a file; what it is called and where stands in its declaration.
-SymbolId Checker::declare(std::uint32_t module, syntax::DeclId id, Name entry, SymbolId owner) {
-    const Decl& decl = (*modules_[module].ast)[id];
-    const std::string_view name = modules_[module].ast->text(decl.name);
+SymbolId declare(Check& check, std::uint32_t module, syntax::DeclId id, Name entry,
+                 SymbolId owner = {}) {
+    const Decl& decl = (*check.names.module(module).ast)[id];
+    const std::string_view name = check.names.module(module).ast->text(decl.name);
     if (name.empty()) return {};
     entry.module = module;
     entry.range = decl.name_range;
     const bool is_member = entry.what == Name::What::EnumMember;
-    DeclaredSymbol symbol =
-        described(module, id, is_member ? DeclaredSymbol::Kind::EnumMember : kind_of(decl.kind));
+    DeclaredSymbol symbol = described(
+        check, module, id, is_member ? DeclaredSymbol::Kind::EnumMember : kind_of(decl.kind));
     symbol.type = entry.type;
     symbol.owner = owner;
-    entry.checked = record_.declare(std::move(symbol));
-    const auto [found, is_new] = modules_[module].names.try_emplace(name, entry);
+    entry.checked = check.record.declare(std::move(symbol));
+    const auto [found, is_new] = check.names.module(module).names.try_emplace(name, entry);
     if (!is_new) {
-        report(diag::DuplicateName, entry.range)
+        check.report(diag::DuplicateName, entry.range)
             .arg(name)
             .note(found->second.range, "it is declared here");
     }
     return entry.checked;
 }
 
-void Checker::declare_enum(std::uint32_t module, syntax::DeclId id) {
-    const syntax::Ast& ast = *modules_[module].ast;
+void declare_enum(Check& check, std::uint32_t module, syntax::DeclId id) {
+    const syntax::Ast& ast = *check.names.module(module).ast;
     const Decl& decl = ast[id];
     EnumInfo info;
     info.name = ast.text(decl.name);
@@ -184,21 +220,23 @@ void Checker::declare_enum(std::uint32_t module, syntax::DeclId id) {
     for (const syntax::DeclId member : ast.decls(decl.members)) {
         info.members.emplace_back(ast.text(ast[member].name), next++);
     }
-    const Type type = types_.add_enum(info);
-    const SymbolId symbol = declare(module, id, entry_of(Name::What::Type, 0, type));
-    types_.set_symbol(type, symbol);
+    const Type type = check.types.add_enum(info);
+    const SymbolId symbol = declare(check, module, id, entry_of(Name::What::Type, 0, type));
+    check.types.set_symbol(type, symbol);
     next = 0;
     std::vector<SymbolId> members;
     for (const syntax::DeclId member : ast.decls(decl.members)) {
         const Name entry = entry_of(Name::What::EnumMember, 0, type, next++);
-        members.push_back(declare(module, member, entry, symbol));
+        members.push_back(declare(check, module, member, entry, symbol));
     }
-    types_.set_member_symbols(type, std::move(members));
+    check.types.set_member_symbols(type, std::move(members));
 }
 
-void Checker::declare_names(std::uint32_t module) {
-    const syntax::Ast& ast = *modules_[module].ast;
-    module_ = module;
+}  // namespace
+
+void declare_names(Check& check, std::uint32_t module) {
+    const syntax::Ast& ast = *check.names.module(module).ast;
+    check.here.module = module;
     for (const syntax::DeclId id : ast.top) {
         const Decl& decl = ast[id];
         const std::string_view name = ast.text(decl.name);
@@ -212,30 +250,30 @@ void Checker::declare_names(std::uint32_t module) {
                 function.name = name;
                 function.kind = decl.kind;
                 function.range = decl.name_range;
-                const auto index = static_cast<std::uint32_t>(functions_.size());
-                function.checked = declare(module, id, entry_of(Name::What::Function, index));
-                functions_.push_back(std::move(function));
+                const std::uint32_t index = check.names.function_count();
+                function.checked =
+                    declare(check, module, id, entry_of(Name::What::Function, index));
+                check.names.add_function(std::move(function));
                 break;
             }
             case DeclKind::Contour:
             case DeclKind::Variable: {
-                const auto index = static_cast<std::uint32_t>(globals_.size());
-                globals_.push_back({GlobalVariable::State::Unchecked, module, id, {}});
-                const SymbolId symbol = declare(module, id, entry_of(Name::What::Variable, index));
-                globals_.back().symbol.checked = symbol;
+                const std::uint32_t index = check.names.add_global(module, id);
+                check.names.global(index).symbol.checked =
+                    declare(check, module, id, entry_of(Name::What::Variable, index));
                 break;
             }
             case DeclKind::Struct: {
                 StructInfo info;
                 info.name = name;
                 info.range = decl.name_range;
-                const Type type = types_.add_struct(std::move(info));
+                const Type type = check.types.add_struct(std::move(info));
                 const SymbolId symbol =
-                    declare(module, id, entry_of(Name::What::Type, id.index, type));
-                types_.set_symbol(type, symbol);
+                    declare(check, module, id, entry_of(Name::What::Type, id.index, type));
+                check.types.set_symbol(type, symbol);
                 break;
             }
-            case DeclKind::Enum: declare_enum(module, id); break;
+            case DeclKind::Enum: declare_enum(check, module, id); break;
             case DeclKind::Curve: {
                 FunctionDecl points;
                 points.module = module;
@@ -243,16 +281,16 @@ void Checker::declare_names(std::uint32_t module) {
                 points.name = name;
                 points.kind = decl.kind;
                 points.range = decl.name_range;
-                const auto index = static_cast<std::uint32_t>(functions_.size());
-                points.checked = declare(module, id, entry_of(Name::What::Curve, index));
+                const std::uint32_t index = check.names.function_count();
+                points.checked = declare(check, module, id, entry_of(Name::What::Curve, index));
                 FunctionDecl limits = points;
                 limits.is_limits = true;
-                functions_.push_back(std::move(points));
-                functions_.push_back(std::move(limits));
+                check.names.add_function(std::move(points));
+                check.names.add_function(std::move(limits));
                 break;
             }
             case DeclKind::Test:
-            case DeclKind::Property: declare_test(module, id); break;
+            case DeclKind::Property: declare_test(check, module, id); break;
             case DeclKind::Parameter:
             case DeclKind::Import:
             case DeclKind::Units:
@@ -263,7 +301,9 @@ void Checker::declare_names(std::uint32_t module) {
     }
 }
 
-std::optional<Type> Checker::builtin_type(std::string_view name) const {
+namespace {
+
+std::optional<Type> builtin_type(std::string_view name) {
     struct Row {
         std::string_view name;
         Type type;
@@ -284,10 +324,10 @@ std::optional<Type> Checker::builtin_type(std::string_view name) const {
     return std::nullopt;
 }
 
-void Checker::report_unknown_type(std::string_view name, const SourceRange& range) {
-    auto builder = report(diag::UnknownType, range);
+void report_unknown_type(Check& check, std::string_view name, const SourceRange& range) {
+    auto builder = check.report(diag::UnknownType, range);
     builder.arg(name);
-    if (const std::size_t letters = glued_letters(name, range)) {
+    if (const std::size_t letters = glued_letters(check, name, range)) {
         fix_glued(letters, range, builder);
         return;
     }
@@ -296,14 +336,14 @@ void Checker::report_unknown_type(std::string_view name, const SourceRange& rang
         return;
     }
     const std::string upper = upper_ascii(name);
-    if (upper != name && is_numbered_word(upper)) {  // `g1 x=d;`
+    if (upper != name && is_numbered_word(check, upper)) {  // `g1 x=d;`
         builder.fix("words of blocks are written in upper case: `" + upper + " X=…`");
         return;
     }
     std::vector<std::string_view> known = {"bool",   "int",     "real",    "length", "angle",
                                            "time",   "feed",    "speed",   "string", "point",
                                            "vector", "contour", "diameter"};
-    for (const auto& [other, entry] : modules_[module_].names) {
+    for (const auto& [other, entry] : check.names.module(check.here.module).names) {
         if (entry.what == Name::What::Type) known.push_back(other);
     }
     if (const auto near = nearest_name(name, known.data(), known.size())) {
@@ -315,251 +355,269 @@ void Checker::report_unknown_type(std::string_view name, const SourceRange& rang
         builder.fix(range, lower, "keywords are written in lower case");
 }
 
-Type Checker::resolve_type(syntax::TypeId id) {
+}  // namespace
+
+Type resolve_type(Check& check, syntax::TypeId id) {
     if (!id.is_valid()) return types::kError;
-    const syntax::TypeRef ref = ast()[id];
-    const std::string_view name = text(ref.name);
+    const syntax::TypeRef ref = check.ast()[id];
+    const std::string_view name = check.text(ref.name);
     Type type = types::kError;
     if (const std::optional<Type> builtin = builtin_type(name)) {
         type = *builtin;
-    } else if (const Name* found = find_global(module_, name);
+    } else if (const Name* found = check.names.find(check.here.module, name);
                found != nullptr && found->what == Name::What::Type) {
-        check_unambiguous(name, ref.range);
-        record_.note_type_use(module_, id, found->checked);
+        check_unambiguous(check, name, ref.range);
+        check.record.note_type_use(check.here.module, id, found->checked);
         type = found->type;
     } else if (name == "element") {
         type = types::kElement;  // not reserved: a program may have its own
     } else if (!name.empty()) {
-        if (!require_not_lost(name) || !require_no_foreign_keyword(name, ref.range))
+        if (!require_not_lost(check, name) || !require_no_foreign_keyword(check, name, ref.range))
             return types::kError;
-        report_unknown_type(name, ref.range);
+        report_unknown_type(check, name, ref.range);
         return types::kError;
     }
-    if (ref.is_optional && ref.array == syntax::TypeRef::Array::None) type = types_.optional(type);
+    if (ref.is_optional && ref.array == syntax::TypeRef::Array::None)
+        type = check.types.optional(type);
     if (ref.array == syntax::TypeRef::Array::None) return type;
     if (type == types::kVoid) {
-        report(diag::VoidValue, ref.range);
+        check.report(diag::VoidValue, ref.range);
         return types::kError;
     }
     std::int64_t count = -1;
     if (ref.array == syntax::TypeRef::Array::Fixed) {
-        const Value size = expression(ref.size, types::kInt);
-        if (is_error(size)) return types::kError;
-        if (!size.is_constant() || kind(size.type) != TypeKind::Int || size.constant.integer < 1 ||
-            size.constant.integer > 1'000'000) {
-            report(diag::ArraySize, ast()[ref.size].range);
+        const Value size = expression(check, ref.size, types::kInt);
+        if (check.is_error(size)) return types::kError;
+        if (!size.is_constant() || check.kind(size.type) != TypeKind::Int ||
+            size.constant.integer < 1 || size.constant.integer > 1'000'000) {
+            check.report(diag::ArraySize, check.ast()[ref.size].range);
             return types::kError;
         }
         count = size.constant.integer;
     }
-    const Type array = types_.array(type, count);
-    return ref.is_optional ? types_.optional(array) : array;
+    const Type array = check.types.array(type, count);
+    return ref.is_optional ? check.types.optional(array) : array;
 }
 
-void Checker::define_struct(std::uint32_t module, Type type, const Decl& decl) {
-    const syntax::Ast& tree = *modules_[module].ast;
-    if (types_.struct_of(type).slots != 0) return;
+namespace {
+
+void define_struct(Check& check, std::uint32_t module, Type type, const Decl& decl) {
+    const syntax::Ast& tree = *check.names.module(module).ast;
+    if (check.types.struct_of(type).slots != 0) return;
     std::vector<Member> members;
     std::unordered_set<std::string_view> names;
     for (const syntax::DeclId id : tree.decls(decl.members)) {
         const Decl& field = tree[id];
         const std::string_view name = tree.text(field.name);
         if (!names.insert(name).second) {
-            report(diag::DuplicateName, field.name_range).arg(name);
+            check.report(diag::DuplicateName, field.name_range).arg(name);
             continue;
         }
         // A struct that this one holds must be complete first.
         if (field.type.is_valid() && tree[field.type].array == syntax::TypeRef::Array::None) {
-            const Name* found = find_global(module, tree.text(tree[field.type].name));
+            const Name* found = check.names.find(module, tree.text(tree[field.type].name));
             if (found != nullptr && found->what == Name::What::Type &&
-                kind(found->type) == TypeKind::Struct && types_.struct_of(found->type).slots == 0) {
-                const bool is_open = std::find(open_structs_.begin(), open_structs_.end(),
-                                               found->type) != open_structs_.end();
+                check.kind(found->type) == TypeKind::Struct &&
+                check.types.struct_of(found->type).slots == 0) {
+                const bool is_open = std::find(check.open_structs.begin(), check.open_structs.end(),
+                                               found->type) != check.open_structs.end();
                 if (found->type == type || is_open) {
-                    report(diag::RecursiveStruct, field.range).arg(types_.struct_of(type).name);
+                    check.report(diag::RecursiveStruct, field.range)
+                        .arg(check.types.struct_of(type).name);
                     members.push_back({std::string(name), types::kError, 0, module, {}, false, {}});
                     continue;
                 }
-                if (open_structs_.size() >= kMostLevels) {
-                    report(diag::StructTooDeep, field.range)
-                        .arg(types_.struct_of(type).name)
+                if (check.open_structs.size() >= kMostLevels) {
+                    check.report(diag::StructTooDeep, field.range)
+                        .arg(check.types.struct_of(type).name)
                         .arg(std::size_t{kMostLevels});
                     members.push_back({std::string(name), types::kError, 0, module, {}, false, {}});
                     continue;
                 }
-                open_structs_.push_back(type);
-                define_struct(found->module, found->type,
-                              (*modules_[found->module].ast)[syntax::DeclId{found->index}]);
-                open_structs_.pop_back();
-                module_ = module;
+                check.open_structs.push_back(type);
+                define_struct(
+                    check, found->module, found->type,
+                    (*check.names.module(found->module).ast)[syntax::DeclId{found->index}]);
+                check.open_structs.pop_back();
+                check.here.module = module;
             }
         }
-        module_ = module;
-        Type member_type = resolve_type(field.type);
+        check.here.module = module;
+        Type member_type = resolve_type(check, field.type);
         if (member_type == types::kVoid) {
-            report(diag::VoidValue, field.range);
+            check.report(diag::VoidValue, field.range);
             member_type = types::kError;
         }
         if (field.type.is_valid() && tree[field.type].is_reference) {
-            report(diag::ReferencePlace, field.range);
+            check.report(diag::ReferencePlace, field.range);
         }
         const bool is_optional = field.type.is_valid() && tree[field.type].is_optional;
-        DeclaredSymbol symbol = described(module, id, DeclaredSymbol::Kind::Member);
+        DeclaredSymbol symbol = described(check, module, id, DeclaredSymbol::Kind::Member);
         symbol.type = member_type;
-        symbol.owner = types_.struct_of(type).symbol;
+        symbol.owner = check.types.struct_of(type).symbol;
         members.push_back({std::string(name), member_type, 0, module, field.value, is_optional,
-                           record_.declare(std::move(symbol))});
+                           check.record.declare(std::move(symbol))});
     }
     if (members.empty()) {
-        report(diag::EmptyStruct, decl.name_range).arg(types_.struct_of(type).name);
+        check.report(diag::EmptyStruct, decl.name_range).arg(check.types.struct_of(type).name);
         members.push_back({"", types::kError, 0, module, {}, false, {}});
     }
-    module_ = module;
-    switch (types_.complete_struct(type, std::move(members))) {
+    check.here.module = module;
+    switch (check.types.complete_struct(type, std::move(members))) {
         case TypeTable::Completed::Good: break;
         case TypeTable::Completed::TooManyRegisters:
-            report(diag::FunctionTooLarge, decl.name_range).arg(types_.struct_of(type).name);
+            check.report(diag::FunctionTooLarge, decl.name_range)
+                .arg(check.types.struct_of(type).name);
             break;
         case TypeTable::Completed::TooManyLevels:
-            report(diag::StructTooDeep, decl.name_range)
-                .arg(types_.struct_of(type).name)
+            check.report(diag::StructTooDeep, decl.name_range)
+                .arg(check.types.struct_of(type).name)
                 .arg(std::size_t{kMostLevels});
             break;
     }
 }
 
-void Checker::define_enum_values(std::uint32_t module, const Decl& decl) {
-    const syntax::Ast& tree = *modules_[module].ast;
-    const Name* entry = find_global(module, tree.text(decl.name));
+void define_enum_values(Check& check, std::uint32_t module, const Decl& decl) {
+    const syntax::Ast& tree = *check.names.module(module).ast;
+    const Name* entry = check.names.find(module, tree.text(decl.name));
     if (entry == nullptr || entry->what != Name::What::Type) return;
     std::int64_t next = 0;
     std::vector<std::int64_t> values;
     for (const syntax::DeclId id : tree.decls(decl.members)) {
         const Decl& member = tree[id];
         if (member.value.is_valid()) {
-            const Value value = expression(member.value, types::kInt);
-            if (value.is_constant() && kind(value.type) == TypeKind::Int) {
+            const Value value = expression(check, member.value, types::kInt);
+            if (value.is_constant() && check.kind(value.type) == TypeKind::Int) {
                 next = value.constant.integer;
-            } else if (!is_error(value)) {
-                report(diag::NotConstant, tree[member.value].range)
+            } else if (!check.is_error(value)) {
+                check.report(diag::NotConstant, tree[member.value].range)
                     .arg("the value of an enum member");
             }
         }
         values.push_back(next);
-        const auto found = modules_[module].names.find(tree.text(member.name));
-        if (found != modules_[module].names.end() && found->second.range == member.name_range) {
+        const auto found = check.names.module(module).names.find(tree.text(member.name));
+        if (found != check.names.module(module).names.end() &&
+            found->second.range == member.name_range) {
             found->second.member = next;
         }
         ++next;
     }
-    types_.set_enum_values(entry->type, values);
+    check.types.set_enum_values(entry->type, values);
 }
 
-void Checker::define_types(std::uint32_t module) {
-    const syntax::Ast& tree = *modules_[module].ast;
-    module_ = module;
-    units_ = modules_[module].units;
+}  // namespace
+
+void define_types(Check& check, std::uint32_t module) {
+    const syntax::Ast& tree = *check.names.module(module).ast;
+    check.here.module = module;
+    check.here.units = check.names.module(module).units;
     for (const syntax::DeclId id : tree.top) {
         const Decl& decl = tree[id];
-        if (decl.kind == DeclKind::Enum) define_enum_values(module, decl);
+        if (decl.kind == DeclKind::Enum) define_enum_values(check, module, decl);
         if (decl.kind != DeclKind::Struct) continue;
-        const Name* found = find_global(module, tree.text(decl.name));
+        const Name* found = check.names.find(module, tree.text(decl.name));
         if (found != nullptr && found->what == Name::What::Type &&
             found->range == decl.name_range) {
-            define_struct(module, found->type, decl);
+            define_struct(check, module, found->type, decl);
         }
-        module_ = module;
+        check.here.module = module;
     }
 }
 
-void Checker::define_signature(std::uint32_t index) {
-    module_ = functions_[index].module;
-    units_ = units_of(functions_[index]);
-    const Decl decl = ast()[functions_[index].decl];
-    FunctionDecl& function = functions_[index];
+void define_signature(Check& check, std::uint32_t index) {
+    check.here.module = check.names.function(index).module;
+    check.here.units = units_of(check, check.names.function(index));
+    const Decl decl = check.ast()[check.names.function(index).decl];
+    FunctionDecl& function = check.names.function(index);
     function.result = decl.kind == DeclKind::Function && decl.type.is_valid()
-                          ? resolve_type(decl.type)
+                          ? resolve_type(check, decl.type)
                           : types::kVoid;
-    record_.set_type(function.checked, function.result);
-    if (decl.type.is_valid() && ast()[decl.type].is_reference) {
-        report(diag::ReferencePlace, ast()[decl.type].range);
+    check.record.set_type(function.checked, function.result);
+    if (decl.type.is_valid() && check.ast()[decl.type].is_reference) {
+        check.report(diag::ReferencePlace, check.ast()[decl.type].range);
     }
     const bool is_curve = decl.kind == DeclKind::Curve;
     if (is_curve) function.result = function.is_limits ? types::kRange : types::kPoint;
-    std::vector<syntax::DeclId> parameters(ast().decls(decl.parameters).begin(),
-                                           ast().decls(decl.parameters).end());
+    std::vector<syntax::DeclId> parameters(check.ast().decls(decl.parameters).begin(),
+                                           check.ast().decls(decl.parameters).end());
     // The running parameter is one more of the function that gives the points.
-    if (is_curve && !function.is_limits) parameters.push_back(ast().decls(decl.members)[0]);
+    if (is_curve && !function.is_limits) parameters.push_back(check.ast().decls(decl.members)[0]);
     std::uint32_t next = 0;
     for (const syntax::DeclId id : parameters) {
-        const Decl& parameter = ast()[id];
+        const Decl& parameter = check.ast()[id];
         ParameterDecl entry;
-        entry.name = text(parameter.name);
+        entry.name = check.text(parameter.name);
         entry.range = parameter.name_range;
         entry.decl = id;
-        entry.type = resolve_type(parameter.type);
+        entry.type = resolve_type(check, parameter.type);
         if (entry.type == types::kVoid) {
-            report(diag::VoidValue, parameter.range);
+            check.report(diag::VoidValue, parameter.range);
             entry.type = types::kError;
         }
-        entry.is_reference = parameter.type.is_valid() && ast()[parameter.type].is_reference;
+        entry.is_reference = parameter.type.is_valid() && check.ast()[parameter.type].is_reference;
         // `int n in 1..20` of a property: a range is not a default.
         if (decl.kind != DeclKind::Property) entry.initial = parameter.value;
         if (entry.is_reference && parameter.value.is_valid()) {
-            report(diag::ReferenceDefault, parameter.range).arg(entry.name);
+            check.report(diag::ReferenceDefault, parameter.range).arg(entry.name);
             entry.initial = {};
         }
         if (entry.is_reference && decl.kind == DeclKind::Program) {
-            report(diag::ProgramParameter, parameter.range).arg(entry.name);
+            check.report(diag::ProgramParameter, parameter.range).arg(entry.name);
         }
-        entry.may_be_unset = parameter.type.is_valid() && ast()[parameter.type].is_optional &&
-                             kind(entry.type) == TypeKind::Struct;
-        entry.is_required =
-            !entry.initial.is_valid() && !type_info(entry.type).is_optional && !entry.may_be_unset;
-        entry.slots = entry.is_reference ? 1 : type_info(entry.type).slots;
+        entry.may_be_unset = parameter.type.is_valid() && check.ast()[parameter.type].is_optional &&
+                             check.kind(entry.type) == TypeKind::Struct;
+        entry.is_required = !entry.initial.is_valid() && !check.type_info(entry.type).is_optional &&
+                            !entry.may_be_unset;
+        entry.slots = entry.is_reference ? 1 : check.type_info(entry.type).slots;
         entry.reg = static_cast<Reg>(next);
         next += entry.slots;
-        declare_parameter(function, entry);
+        declare_parameter(check, function, entry);
         function.parameters.push_back(entry);
     }
     if (function.parameters.size() > 32) {
-        report(diag::TooManyParameters, decl.name_range).arg(function.name);
+        check.report(diag::TooManyParameters, decl.name_range).arg(function.name);
         function.parameters.resize(32);
     }
     // Reported where the body is checked, which finds no room for them.
     function.parameter_slots = static_cast<std::uint16_t>(std::min(next, kMostRegisters + 1));
 }
 
+namespace {
+
 /// Both functions of a curve have its parameters.
-void Checker::declare_parameter(const FunctionDecl& function, ParameterDecl& parameter) {
-    const SymbolId known = checked_.files[module_].declarations[parameter.decl.index];
+void declare_parameter(Check& check, const FunctionDecl& function, ParameterDecl& parameter) {
+    const SymbolId known =
+        check.checked.files[check.here.module].declarations[parameter.decl.index];
     if (known.is_valid()) {
         parameter.checked = known;
         return;
     }
-    DeclaredSymbol symbol = described(module_, parameter.decl, DeclaredSymbol::Kind::Parameter);
-    symbol.scope = ast()[function.decl].range;
+    DeclaredSymbol symbol =
+        described(check, check.here.module, parameter.decl, DeclaredSymbol::Kind::Parameter);
+    symbol.scope = check.ast()[function.decl].range;
     symbol.type = parameter.type;
     symbol.owner = function.checked;
-    parameter.checked = record_.declare(std::move(symbol));
+    parameter.checked = check.record.declare(std::move(symbol));
 }
 
-void Checker::check_global(std::uint32_t index, bool on_demand) {
-    GlobalVariable& global = globals_[index];
+}  // namespace
+
+void check_global(Check& check, std::uint32_t index, bool on_demand) {
+    GlobalVariable& global = check.names.global(index);
     if (global.state == GlobalVariable::State::Done) return;
-    const syntax::Ast& tree = *modules_[global.module].ast;
+    const syntax::Ast& tree = *check.names.module(global.module).ast;
     const Decl& decl = tree[global.decl];
     if (global.state == GlobalVariable::State::Checking) {
-        report(diag::CircularConstant, decl.name_range).arg(tree.text(decl.name));
+        check.report(diag::CircularConstant, decl.name_range).arg(tree.text(decl.name));
         global.state = GlobalVariable::State::Done;  // reported once
         return;
     }
     global.state = GlobalVariable::State::Checking;
-    const Finding finding(*this);
-    const std::uint32_t module = std::exchange(module_, global.module);
-    const Units units = std::exchange(units_, modules_[global.module].units);
-    const SourceRange location = emit_.location();
-    emit_.set_location(decl.range);
+    const Finding finding(check);
+    const std::uint32_t module = std::exchange(check.here.module, global.module);
+    const Units units = std::exchange(check.here.units, check.names.module(global.module).units);
+    const SourceRange location = check.emit.location();
+    check.emit.set_location(decl.range);
 
     Symbol symbol;
     symbol.name = tree.text(decl.name);
@@ -567,25 +625,25 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
     symbol.decl = global.decl;
     symbol.checked = global.symbol.checked;
     symbol.is_const = decl.is_const;
-    symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
+    symbol.type = decl.type.is_valid() ? resolve_type(check, decl.type) : types::kError;
     if (decl.is_const && !decl.value.is_valid())
-        report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
-    const Reg mark = emit_.mark();
+        check.report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
+    const Reg mark = check.emit.mark();
     Value value = error_value();
     const bool is_body = decl.kind == DeclKind::Contour;
     if (is_body) {
         symbol.type = types::kContour;
-        value = in_registers(types::kContour, emit_.take(1));
+        value = in_registers(types::kContour, check.emit.take(1));
         value.is_fresh = true;
-        contour_body(decl, value.reg);
+        contour_body(check, decl, value.reg);
     } else if (decl.value.is_valid()) {
-        value = expression(decl.value, symbol.type);
+        value = expression(check, decl.value, symbol.type);
         if (decl.type.is_valid()) {
-            value = convert(value, symbol.type, tree[decl.value].range, symbol.name);
+            value = convert(check, value, symbol.type, tree[decl.value].range, symbol.name);
         } else {
             symbol.type = value.type;
             if (symbol.type == types::kVoid) {
-                report(diag::VoidValue, tree[decl.value].range);
+                check.report(diag::VoidValue, tree[decl.value].range);
                 symbol.type = types::kError;
             }
         }
@@ -594,43 +652,45 @@ void Checker::check_global(std::uint32_t index, bool on_demand) {
         symbol.storage = Symbol::Storage::Constant;
         symbol.constant = value;
     } else {
-        if (on_demand && !is_error(value)) {
-            report(diag::UsedBeforeDefinition, decl.name_range).arg(symbol.name);
+        if (on_demand && !check.is_error(value)) {
+            check.report(diag::UsedBeforeDefinition, decl.name_range).arg(symbol.name);
         }
         symbol.storage = Symbol::Storage::Global;
-        symbol.global = code_->globals;
-        const std::uint16_t slots = type_info(symbol.type).slots;
-        const bool had_room = code_->globals <= kMostGlobals;
-        code_->globals += slots;
-        if (had_room && code_->globals > kMostGlobals)
-            report(diag::GlobalsTooLarge, symbol.range).arg(std::size_t{kMostGlobals});
+        symbol.global = check.code->globals;
+        const std::uint16_t slots = check.type_info(symbol.type).slots;
+        const bool had_room = check.code->globals <= kMostGlobals;
+        check.code->globals += slots;
+        if (had_room && check.code->globals > kMostGlobals)
+            check.report(diag::GlobalsTooLarge, symbol.range).arg(std::size_t{kMostGlobals});
         symbol.may_be_unset = !decl.value.is_valid() && !is_body;
         Reg reg = 0;
         if (decl.value.is_valid() || is_body) {
-            reg = in_register(value);
-            if (value.is_variable && types_.holds_array(symbol.type)) {
-                const Reg copy = emit_.take(slots);
-                copy_value(value, copy);
+            reg = in_register(check, value);
+            if (value.is_variable && check.types.holds_array(symbol.type)) {
+                const Reg copy = check.emit.take(slots);
+                copy_value(check, value, copy);
                 reg = copy;
             }
         } else {
-            reg = emit_.take(slots);
-            if (is_optional_type(decl)) emit_unset(symbol.type, reg);
-            else emit_initial(symbol.type, reg);
+            reg = check.emit.take(slots);
+            if (check.is_optional_type(decl)) emit_unset(check, symbol.type, reg);
+            else emit_initial(check, symbol.type, reg);
         }
-        if (slots > 0) emit_.emit_pair(OpCode::StoreGlobal, reg, 0, slots, symbol.global);
+        if (slots > 0) check.emit.emit_pair(OpCode::StoreGlobal, reg, 0, slots, symbol.global);
     }
-    report_overflow(symbol.name, symbol.range);
-    emit_.release_to(mark);
-    emit_.set_location(location);
-    module_ = module;
-    units_ = units;
-    record_.set_type(symbol.checked, symbol.type);
-    globals_[index].symbol = symbol;
-    globals_[index].state = GlobalVariable::State::Done;
+    report_overflow(check, symbol.name, symbol.range);
+    check.emit.release_to(mark);
+    check.emit.set_location(location);
+    check.here.module = module;
+    check.here.units = units;
+    check.record.set_type(symbol.checked, symbol.type);
+    check.names.global(index).symbol = symbol;
+    check.names.global(index).state = GlobalVariable::State::Done;
 }
 
-void Checker::bind_parameters(const FunctionDecl& function) {
+namespace {
+
+void bind_parameters(Check& check, const FunctionDecl& function) {
     for (const ParameterDecl& parameter : function.parameters) {
         Symbol symbol;
         symbol.name = parameter.name;
@@ -644,160 +704,171 @@ void Checker::bind_parameters(const FunctionDecl& function) {
         symbol.is_parameter = true;
         symbol.may_be_unset = parameter.may_be_unset;
         if (parameter.may_be_unset) symbol.givenness = Givenness::Perhaps;
-        if (type_info(parameter.type).is_optional) symbol.givenness = Givenness::Perhaps;
-        const Found same = find(parameter.name);
-        if (same.symbol >= 0)
-            symbols_[static_cast<std::size_t>(same.symbol)].is_read = true;  // reported once
-        add_symbol(symbol);
+        if (check.type_info(parameter.type).is_optional) symbol.givenness = Givenness::Perhaps;
+        const Found same = find(check, parameter.name);
+        if (same.symbol >= 0) check.scopes[same.symbol].is_read = true;  // reported once
+        add_symbol(check, symbol);
     }
 }
 
 /// The prologue: each default is evaluated if its argument was not given. A default may use the
 /// parameters before it.
-void Checker::check_defaults(const FunctionDecl& function) {
+void check_defaults(Check& check, const FunctionDecl& function) {
     for (std::size_t i = function.parameters.size(); i-- > 0;)
-        visible_[function.parameters[i].name].pop_back();
+        check.scopes.hide(function.parameters[i].name);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterDecl parameter = function.parameters[i];
-        const auto show = [&] { visible_[parameter.name].push_back(static_cast<std::int32_t>(i)); };
+        const auto symbol = static_cast<std::int32_t>(i);
+        const auto show = [&] { check.scopes.show(symbol); };
         if (parameter.is_required) {
             show();
             continue;
         }
-        defaults_from_ = i;
+        check.body.defaults_from = i;
         Label skip;
-        emit_.set_location(parameter.range);
-        emit_.jump(OpCode::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
-        const Reg mark = emit_.mark();
+        check.emit.set_location(parameter.range);
+        check.emit.jump(OpCode::SkipIfGiven, skip, 0, 0, static_cast<unsigned>(i));
+        const Reg mark = check.emit.mark();
         if (!parameter.initial.is_valid()) {
-            emit_unset(parameter.type, parameter.reg);
+            emit_unset(check, parameter.type, parameter.reg);
         } else {
-            emit_.set_location(ast()[parameter.initial].range);
-            Value value = expression(parameter.initial, parameter.type);
+            check.emit.set_location(check.ast()[parameter.initial].range);
+            Value value = expression(check, parameter.initial, parameter.type);
             // `length initial = position.z`: a default that is not given itself leaves the
             // parameter not given; reading it is the mistake.
-            if (type_info(value.type).is_optional && !type_info(parameter.type).is_optional &&
-                type_info(parameter.type).kind == type_info(value.type).kind) {
-                symbols_[i].may_be_unset = true;
-                symbols_[i].givenness = Givenness::Perhaps;
-                symbols_[i].unset_name = sources_.text(ast()[parameter.initial].range);
-                value.type = types_.given(value.type);
+            if (check.type_info(value.type).is_optional &&
+                !check.type_info(parameter.type).is_optional &&
+                check.type_info(parameter.type).kind == check.type_info(value.type).kind) {
+                check.scopes[symbol].may_be_unset = true;
+                check.scopes[symbol].givenness = Givenness::Perhaps;
+                check.scopes[symbol].unset_name =
+                    check.sources.text(check.ast()[parameter.initial].range);
+                value.type = check.types.given(value.type);
             }
-            value = convert(value, parameter.type, ast()[parameter.initial].range, parameter.name);
-            if (!is_error(value)) copy_value(value, parameter.reg);
+            value = convert(check, value, parameter.type, check.ast()[parameter.initial].range,
+                            parameter.name);
+            if (!check.is_error(value)) copy_value(check, value, parameter.reg);
         }
-        emit_.release_to(mark);
-        emit_.bind(skip);
+        check.emit.release_to(mark);
+        check.emit.bind(skip);
         show();
     }
-    defaults_from_ = kNoDefault;
+    check.body.defaults_from = BodyState::kNoDefault;
 }
 
-void Checker::check_function(std::uint32_t index) {
-    const FunctionDecl function = functions_[index];
-    module_ = function.module;
-    units_ = units_of(function);
-    const Decl decl = ast()[function.decl];
-    function_ = &function;
-    emit_.begin_function();
-    forget_symbols(0);
-    loops_.clear();
-    scope_begin_ = 0;
-    scope_end_ = decl.range.end;
-    with_depth_ = 0;
-    loop_depth_ = 0;
-    current_native_ = native_cycle(function);
+}  // namespace
 
-    FunctionCode& entry = code_->functions[index + 1];
-    entry.entry = emit_.here();
-    emit_.take(std::max<unsigned>(function.parameter_slots, type_info(function.result).slots));
-    emit_.release_to(function.parameter_slots);
-    bind_parameters(function);
-    if (function.kind == DeclKind::Property) property_ranges(index);
-    check_defaults(function);
-    code_->functions[index + 1].body = emit_.here();
-    native_pending_ = current_native_.has_value();
+void check_function(Check& check, std::uint32_t index) {
+    const FunctionDecl function = check.names.function(index);
+    check.here.module = function.module;
+    check.here.units = units_of(check, function);
+    const Decl decl = check.ast()[function.decl];
+    check.here.function = &function;
+    check.emit.begin_function();
+    check.scopes.begin_function(decl.range.end);
+    check.here.loops.clear();
+    check.here.with_depth = 0;
+    check.here.loop_depth = 0;
+    check.body.native = native_cycle(check, function);
+
+    FunctionCode& entry = check.code->functions[index + 1];
+    entry.entry = check.emit.here();
+    check.emit.take(
+        std::max<unsigned>(function.parameter_slots, check.type_info(function.result).slots));
+    check.emit.release_to(function.parameter_slots);
+    bind_parameters(check, function);
+    if (function.kind == DeclKind::Property) property_ranges(check, index);
+    check_defaults(check, function);
+    check.code->functions[index + 1].body = check.emit.here();
+    check.body.native_pending = check.body.native.has_value();
     if (decl.kind == DeclKind::Curve) {
-        curve_body(function, decl);
-        FunctionCode& curve = code_->functions[index + 1];
-        curve.end = emit_.here();
-        curve.registers = emit_.registers_used();
+        curve_body(check, function, decl);
+        for (const Symbol& symbol : check.scopes.all()) report_unused(check, symbol);
+        FunctionCode& curve = check.code->functions[index + 1];
+        curve.end = check.emit.here();
+        curve.registers = check.emit.registers_used();
         // The function of the points has all parameters of that of the limits, one more and three
         // coordinates: where these find no room it reports it for both.
         constexpr std::uint32_t kMoreOfPoints = 4;
         if (!function.is_limits || function.parameter_slots + kMoreOfPoints <= kMostRegisters)
-            report_overflow(function.name, function.range);
-        function_ = nullptr;
+            report_overflow(check, function.name, function.range);
+        check.here.function = nullptr;
         return;
     }
-    has_preserves_ = decl.preserves.count > 0;
-    if (has_preserves_) {
-        emit_.set_location(decl.range);
-        ModalMask mask = words_mask(ast().word_run(decl.preserves), true);
-        emit_.emit_pair(OpCode::EnterPreserves, 0, 0, 0, mask);
-        code_->functions[index + 1].needs = preserved_members(decl);
+    check.body.has_preserves = decl.preserves.count > 0;
+    if (check.body.has_preserves) {
+        check.emit.set_location(decl.range);
+        ModalMask mask = words_mask(check, check.ast().word_run(decl.preserves), true);
+        check.emit.emit_pair(OpCode::EnterPreserves, 0, 0, 0, mask);
+        check.code->functions[index + 1].needs = preserved_members(check, decl);
     }
     Completion completion = Completion::Normal;
     if (decl.body.is_valid()) {
-        const syntax::Stmt body = ast()[decl.body];
-        completion = body.kind == syntax::StmtKind::Block ? block(body.statements, body.range)
-                                                          : statement(decl.body);
+        const syntax::Stmt body = check.ast()[decl.body];
+        completion = body.kind == syntax::StmtKind::Block
+                         ? block(check, body.statements, body.range)
+                         : statement(check, decl.body);
     }
-    emit_native_cycle();
+    emit_native_cycle(check);
     const SourceRange end{decl.range.file, decl.range.end > 0 ? decl.range.end - 1 : 0,
                           decl.range.end};
-    emit_.set_location(end);
+    check.emit.set_location(end);
     if (completion == Completion::Normal) {
-        if (function.result != types::kVoid && kind(function.result) != TypeKind::Error)
-            report_missing_return(function, decl, end);
-        leave_function(end);
-        emit_.emit(OpCode::Return, 0, 0, 0);
+        if (function.result != types::kVoid && check.kind(function.result) != TypeKind::Error)
+            report_missing_return(check, function, decl, end);
+        leave_function(check, end);
+        check.emit.emit(OpCode::Return, 0, 0, 0);
     }
-    if (has_preserves_) check_preserves(function, decl);
-    report_unused_parameters();
+    if (check.body.has_preserves) check_preserves(check, function, decl);
+    report_unused_parameters(check);
 
-    FunctionCode& done = code_->functions[index + 1];
-    done.end = emit_.here();
-    done.registers = emit_.registers_used();
-    report_overflow(function.name, function.range);
-    function_ = nullptr;
+    FunctionCode& done = check.code->functions[index + 1];
+    done.end = check.emit.here();
+    done.registers = check.emit.registers_used();
+    report_overflow(check, function.name, function.range);
+    check.here.function = nullptr;
 }
 
-void Checker::report_missing_return(const FunctionDecl& function, const Decl& decl,
-                                    const SourceRange& end) {
+namespace {
+
+void report_missing_return(Check& check, const FunctionDecl& function, const Decl& decl,
+                           const SourceRange& end) {
     // A statement that could not be read may have been the `return`.
-    const bool is_broken = std::ranges::any_of(ast().statements, [&](const syntax::Stmt& other) {
-        return other.kind == syntax::StmtKind::Invalid && other.range.begin >= decl.range.begin &&
-               other.range.end <= decl.range.end;
-    });
+    const bool is_broken =
+        std::ranges::any_of(check.ast().statements, [&](const syntax::Stmt& other) {
+            return other.kind == syntax::StmtKind::Invalid &&
+                   other.range.begin >= decl.range.begin && other.range.end <= decl.range.end;
+        });
     if (is_broken) return;
-    report(diag::MissingReturn, function.range)
+    check.report(diag::MissingReturn, function.range)
         .arg(function.name)
-        .arg(type_name(function.result))
+        .arg(check.type_name(function.result))
         .note(end, "the end is reached here without a `return`");
 }
 
 /// Reports it if what was emitted needs more registers than there are.
-void Checker::report_overflow(std::string_view name, const SourceRange& range) {
-    if (!emit_.has_overflowed()) return;
-    emit_.forget_overflow();
-    report(diag::FunctionTooLarge, range).arg(name);
+void report_overflow(Check& check, std::string_view name, const SourceRange& range) {
+    if (!check.emit.has_overflowed()) return;
+    check.emit.forget_overflow();
+    check.report(diag::FunctionTooLarge, range).arg(name);
 }
 
-void Checker::report_unused_parameters() {
-    if (function_->module != 0) return;  // a library's own matter
-    if (ast().has_errors) return;        // what is missing may have used them
-    for (const Symbol& symbol : symbols_) {
+void report_unused_parameters(Check& check) {
+    if (check.here.function->module != 0) return;  // a library's own matter
+    if (check.ast().has_errors) return;            // what is missing may have used them
+    for (const Symbol& symbol : check.scopes.all()) {
         if (!symbol.is_parameter || symbol.is_read || symbol.name.empty()) continue;
-        report(diag::UnusedParameter, symbol.range).arg(symbol.name);
+        check.report(diag::UnusedParameter, symbol.range).arg(symbol.name);
     }
 }
 
-ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
+}  // namespace
+
+ParameterInfo describe_parameter(Check& check, const ParameterDecl& parameter) {
     ParameterInfo info;
     info.name = parameter.name;
-    info.type_name = type_name(parameter.type);
-    const TypeInfo& type = type_info(parameter.type);
+    info.type_name = check.type_name(parameter.type);
+    const TypeInfo& type = check.type_info(parameter.type);
     using K = ParameterInfo::Kind;
     switch (type.kind) {
         case TypeKind::Bool: info.kind = K::Bool; break;
@@ -816,7 +887,7 @@ ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
     }
     if (type.is_contour) info.kind = K::Contour;
     if (parameter.is_reference) info.kind = K::Other;
-    if (info.kind == K::Contour) info.layout = layout_constant(type.element);
+    if (info.kind == K::Contour) info.layout = layout_constant(check, type.element);
     info.quantity = type.quantity;
     info.is_optional = type.is_optional;
     info.has_default = !parameter.is_required;
@@ -827,10 +898,10 @@ ParameterInfo Checker::describe_parameter(const ParameterDecl& parameter) {
     return info;
 }
 
-void Checker::export_enums() {
-    for (std::uint32_t i = 0; i < types_.enum_count(); ++i) {
-        const EnumInfo& info = types_.enum_at(i);
-        code_->enums.push_back({info.name, info.members});
+void export_enums(Check& check) {
+    for (std::uint32_t i = 0; i < check.types.enum_count(); ++i) {
+        const EnumInfo& info = check.types.enum_at(i);
+        check.code->enums.push_back({info.name, info.members});
     }
 }
 

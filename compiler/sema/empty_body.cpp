@@ -1,9 +1,11 @@
 // empty_body.cpp — `if (…);`: a head whose body is the empty statement, C's classic.
+#include "sema/empty_body.h"
+
 #include <algorithm>
 
 #include "base/diagnostics/sema.h"
 #include "sema/builtins.h"
-#include "sema/checker.h"
+#include "sema/checking.h"
 
 namespace kadr::sema {
 
@@ -65,12 +67,12 @@ std::string_view head_of_nothing(const Ast& ast, const Stmt& stmt) {
 
 }  // namespace
 
-void Checker::warn_of_empty_body(const Stmt& stmt) {
-    const std::string_view head = head_of_nothing(ast(), stmt);
+void warn_of_empty_body(Check& check, const Stmt& stmt) {
+    const std::string_view head = head_of_nothing(check.ast(), stmt);
     if (head.empty()) return;
     const bool is_else = head == "else" || stmt.kind == StmtKind::For;
-    const SourceRange body = ast()[stmt.statement[is_else ? 1 : 0]].range;
-    report(diag::EmptyBody, body)
+    const SourceRange body = check.ast()[stmt.statement[is_else ? 1 : 0]].range;
+    check.report(diag::EmptyBody, body)
         .arg(head)
         .fix(body, "", "take the `;` away, if the next statement is meant")
         .fix(body, " { }", "write braces, if nothing is meant");

@@ -1,9 +1,21 @@
 // loops.cpp — loops: the condition stands behind the body, so that a pass costs one jump.
+#include "sema/loops.h"
+
 #include <charconv>
 #include <optional>
 
 #include "base/diagnostics/sema.h"
-#include "sema/checker.h"
+#include "sema/checking.h"
+#include "sema/conditions.h"
+#include "sema/convert.h"
+#include "sema/declarations.h"
+#include "sema/expressions.h"
+#include "sema/lvalues.h"
+#include "sema/optionals.h"
+#include "sema/scope.h"
+#include "sema/statements.h"
+#include "sema/texts.h"
+#include "sema/values.h"
 
 namespace kadr::sema {
 
@@ -14,6 +26,14 @@ using syntax::ExprKind;
 using syntax::Operator;
 using syntax::Stmt;
 using syntax::StmtKind;
+
+namespace {
+
+void jump_if_quietly(Check& check, syntax::ExprId condition, Label& top, int depth);
+void check_named_global(Check& check, syntax::ExprId id);
+bool is_plain_constant(const Check& check, syntax::ExprId id);
+
+}  // namespace
 
 namespace {
 
@@ -40,69 +60,73 @@ bool is_always(const syntax::Ast& ast, ExprId id) {
 
 }  // namespace
 
-void Checker::jump_out(bool is_break, const SourceRange& range) {
-    for (std::size_t i = loops_.size(); i-- > 0;) {
-        LoopScope& loop = loops_[i];
+void jump_out(Check& check, bool is_break, const SourceRange& range) {
+    for (std::size_t i = check.here.loops.size(); i-- > 0;) {
+        LoopScope& loop = check.here.loops[i];
         if (!is_break && loop.on_continue == nullptr) continue;  // a switch
-        if (with_depth_ > loop.with_depth) {
-            emit_.emit_pair(OpCode::LeaveWith, 0, 0,
-                            static_cast<unsigned>(with_depth_ - loop.with_depth), 0,
-                            statement_id(range));
+        if (check.here.with_depth > loop.with_depth) {
+            check.emit.emit_pair(OpCode::LeaveWith, 0, 0,
+                                 static_cast<unsigned>(check.here.with_depth - loop.with_depth), 0,
+                                 statement_id(check, range));
         }
-        emit_.jump(OpCode::Jump, is_break ? *loop.on_break : *loop.on_continue);
+        check.emit.jump(OpCode::Jump, is_break ? *loop.on_break : *loop.on_continue);
         return;
     }
-    report(diag::OutsideLoop, range).arg(is_break ? "break" : "continue");
+    check.report(diag::OutsideLoop, range).arg(is_break ? "break" : "continue");
 }
 
-Checker::Completion Checker::while_statement(const Stmt& stmt) {
+Completion while_statement(Check& check, const Stmt& stmt) {
     Label top;
-    Label check;
+    Label again;
     Label done;
-    const int depth = loop_depth_++;
-    forget_givenness();
-    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
-    emit_.jump(OpCode::Jump, check);
-    emit_.bind(top);
-    loops_.push_back({&done, &check, with_depth_});
-    const std::vector<Givenness> before = remember_givenness();
-    assume_given(stmt.expression[0], true);
-    statement(stmt.statement[0]);
-    merge_givenness(before);
-    emit_.bind(check);
-    jump_if(stmt.expression[0], true, top, depth);
-    loops_.pop_back();
-    emit_.bind(done);
-    --loop_depth_;
-    return completion(!(is_always(ast(), stmt.expression[0]) && !breaks(ast(), stmt.statement[0])));
+    const int depth = check.here.loop_depth++;
+    check.scopes.forget_flow();
+    check.emit.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    check.emit.jump(OpCode::Jump, again);
+    check.emit.bind(top);
+    check.here.loops.push_back({&done, &again, check.here.with_depth});
+    const FlowState before = check.scopes.flow();
+    assume_given(check, stmt.expression[0], true);
+    statement(check, stmt.statement[0]);
+    check.scopes.join_flow(before);
+    check.emit.bind(again);
+    jump_if(check, stmt.expression[0], true, top, depth);
+    check.here.loops.pop_back();
+    check.emit.bind(done);
+    --check.here.loop_depth;
+    return completion(
+        !(is_always(check.ast(), stmt.expression[0]) && !breaks(check.ast(), stmt.statement[0])));
 }
 
-Checker::Completion Checker::do_statement(const Stmt& stmt) {
+Completion do_statement(Check& check, const Stmt& stmt) {
     Label top;
-    Label check;
+    Label again;
     Label done;
-    const int depth = loop_depth_++;
-    forget_givenness();
-    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
-    emit_.bind(top);
-    loops_.push_back({&done, &check, with_depth_});
-    statement(stmt.statement[0]);
-    emit_.bind(check);
-    jump_if(stmt.expression[0], true, top, depth);
-    loops_.pop_back();
-    emit_.bind(done);
-    --loop_depth_;
-    return completion(!(is_always(ast(), stmt.expression[0]) && !breaks(ast(), stmt.statement[0])));
+    const int depth = check.here.loop_depth++;
+    check.scopes.forget_flow();
+    check.emit.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    check.emit.bind(top);
+    check.here.loops.push_back({&done, &again, check.here.with_depth});
+    statement(check, stmt.statement[0]);
+    check.emit.bind(again);
+    jump_if(check, stmt.expression[0], true, top, depth);
+    check.here.loops.pop_back();
+    check.emit.bind(done);
+    --check.here.loop_depth;
+    return completion(
+        !(is_always(check.ast(), stmt.expression[0]) && !breaks(check.ast(), stmt.statement[0])));
 }
+
+namespace {
 
 /// `i++`, `i += 2`, `i--` on a whole local variable and a comparison with a variable or a constant:
 /// one instruction a pass.
-bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
+bool counting_loop(Check& check, const Stmt& stmt, Label& top, int depth) {
     const ExprId condition = stmt.expression[0];
     const ExprId step_id = stmt.expression[1];
     if (!condition.is_valid() || !step_id.is_valid()) return false;
-    const Expr& step_expr = ast()[step_id];
-    const Expr& compare = ast()[condition];
+    const Expr& step_expr = check.ast()[step_id];
+    const Expr& compare = check.ast()[condition];
     std::int64_t step = 0;
     if (step_expr.kind == ExprKind::Unary) {
         if (step_expr.op == Operator::PreIncrement || step_expr.op == Operator::PostIncrement)
@@ -110,21 +134,21 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
         if (step_expr.op == Operator::PreDecrement || step_expr.op == Operator::PostDecrement)
             step = -1;
     } else if (step_expr.kind == ExprKind::Assign &&
-               ast()[step_expr.child[1]].kind == ExprKind::Int) {
-        const std::int64_t value = ast()[step_expr.child[1]].integer;
+               check.ast()[step_expr.child[1]].kind == ExprKind::Int) {
+        const std::int64_t value = check.ast()[step_expr.child[1]].integer;
         if (value > 30000) return false;
         if (step_expr.op == Operator::AddAssign) step = value;
         if (step_expr.op == Operator::SubtractAssign) step = -value;
     }
-    if (step == 0 || ast()[step_expr.child[0]].kind != ExprKind::Name) return false;
+    if (step == 0 || check.ast()[step_expr.child[0]].kind != ExprKind::Name) return false;
     const bool ordered = compare.kind == ExprKind::Binary && compare.op >= Operator::Less &&
                          compare.op <= Operator::GreaterEqual;
-    if (!ordered || ast()[compare.child[0]].kind != ExprKind::Name) return false;
+    if (!ordered || check.ast()[compare.child[0]].kind != ExprKind::Name) return false;
     const auto local_int = [&](ExprId id) -> const Symbol* {
-        if (ast()[id].kind != ExprKind::Name) return nullptr;
-        const Found found = look_up(id);
+        if (check.ast()[id].kind != ExprKind::Name) return nullptr;
+        const Found found = look_up(check, id);
         if (found.symbol < 0) return nullptr;
-        const Symbol& symbol = symbols_[static_cast<std::size_t>(found.symbol)];
+        const Symbol& symbol = check.scopes[found.symbol];
         return symbol.type == types::kInt && !symbol.may_be_unset ? &symbol : nullptr;
     };
     const Symbol* counter = local_int(step_expr.child[0]);
@@ -135,10 +159,10 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
     Reg limit = 0;
     const Symbol* limit_symbol = local_int(compare.child[1]);
     if (limit_symbol != nullptr && limit_symbol->storage == Symbol::Storage::Local) {
-        symbols_[static_cast<std::size_t>(limit_symbol - symbols_.data())].is_read = true;
+        check.scopes[look_up(check, compare.child[1]).symbol].is_read = true;
         limit = limit_symbol->reg;
-    } else if (for_limit_ != kNoReg) {
-        limit = for_limit_;
+    } else if (check.body.for_limit != kNoReg) {
+        limit = check.body.for_limit;
     } else {
         return false;
     }
@@ -146,99 +170,102 @@ bool Checker::counting_loop(const Stmt& stmt, Label& top, int depth) {
                       : compare.op == Operator::LessEqual ? OpCode::ForLeI
                       : compare.op == Operator::Greater   ? OpCode::ForGtI
                                                           : OpCode::ForGeI;
-    emit_.set_location(step_expr.range);
-    emit_.jump(op, top, counter->reg, limit,
-               static_cast<std::uint16_t>(static_cast<std::int16_t>(step)), depth);
+    check.emit.set_location(step_expr.range);
+    check.emit.jump(op, top, counter->reg, limit,
+                    static_cast<std::uint16_t>(static_cast<std::int16_t>(step)), depth);
     return true;
 }
 
-Checker::Completion Checker::for_statement(const Stmt& stmt) {
-    const OuterScope outer = enter_scope(stmt.range);
-    const Reg mark = emit_.mark();
-    if (stmt.statement[0].is_valid()) statement(stmt.statement[0]);
+}  // namespace
+
+Completion for_statement(Check& check, const Stmt& stmt) {
+    const Scopes::Outer outer = check.scopes.enter(stmt.range);
+    const Reg mark = check.emit.mark();
+    if (stmt.statement[0].is_valid()) statement(check, stmt.statement[0]);
     Label top;
     Label next;
     Label done;
-    const int depth = loop_depth_++;
-    forget_givenness();
+    const int depth = check.here.loop_depth++;
+    check.scopes.forget_flow();
     // A whole constant as the limit gets a register for the time of the loop.
-    const Reg outer_limit = std::exchange(for_limit_, kNoReg);
+    const Reg outer_limit = std::exchange(check.body.for_limit, kNoReg);
     const ExprId condition = stmt.expression[0];
-    if (condition.is_valid() && ast()[condition].kind == ExprKind::Binary) {
-        const ExprId end = ast()[condition].child[1];
-        check_named_global(end);
-        if (is_plain_constant(end)) {
-            const Value limit = expression(end);
-            if (limit.is_constant() && kind(limit.type) == TypeKind::Int)
-                for_limit_ = in_register(limit);
+    if (condition.is_valid() && check.ast()[condition].kind == ExprKind::Binary) {
+        const ExprId end = check.ast()[condition].child[1];
+        check_named_global(check, end);
+        if (is_plain_constant(check, end)) {
+            const Value limit = expression(check, end);
+            if (limit.is_constant() && check.kind(limit.type) == TypeKind::Int)
+                check.body.for_limit = in_register(check, limit);
         }
     }
-    const Reg this_limit = for_limit_;
-    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
-    if (condition.is_valid()) jump_if(condition, false, done);
-    emit_.bind(top);
-    loops_.push_back({&done, &next, with_depth_});
-    const std::vector<Givenness> before = remember_givenness();
-    if (condition.is_valid()) assume_given(condition, true);
-    for_limit_ = kNoReg;
-    statement(stmt.statement[1]);
-    for_limit_ = this_limit;
-    merge_givenness(before);
-    emit_.bind(next);
-    if (!counting_loop(stmt, top, depth)) {
+    const Reg this_limit = check.body.for_limit;
+    check.emit.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    if (condition.is_valid()) jump_if(check, condition, false, done);
+    check.emit.bind(top);
+    check.here.loops.push_back({&done, &next, check.here.with_depth});
+    const FlowState before = check.scopes.flow();
+    if (condition.is_valid()) assume_given(check, condition, true);
+    check.body.for_limit = kNoReg;
+    statement(check, stmt.statement[1]);
+    check.body.for_limit = this_limit;
+    check.scopes.join_flow(before);
+    check.emit.bind(next);
+    if (!counting_loop(check, stmt, top, depth)) {
         if (stmt.expression[1].is_valid()) {
-            const Expr& step_expr = ast()[stmt.expression[1]];
-            const Reg above = emit_.mark();
-            emit_.set_location(step_expr.range);
-            if (step_expr.kind == ExprKind::Assign) assign(stmt.expression[1], false);
+            const Expr& step_expr = check.ast()[stmt.expression[1]];
+            const Reg above = check.emit.mark();
+            check.emit.set_location(step_expr.range);
+            if (step_expr.kind == ExprKind::Assign) assign(check, stmt.expression[1], false);
             else if (step_expr.kind == ExprKind::Unary && step_expr.op >= Operator::PreIncrement &&
                      step_expr.op <= Operator::PostDecrement) {
-                step(stmt.expression[1], false);
+                step(check, stmt.expression[1], false);
             } else {
-                expression(stmt.expression[1]);
+                expression(check, stmt.expression[1]);
             }
-            emit_.release_to(above);
+            check.emit.release_to(above);
         }
-        if (condition.is_valid()) jump_if_quietly(condition, top, depth);
-        else emit_.jump(OpCode::Loop, top, 0, 0, 0, depth);
+        if (condition.is_valid()) jump_if_quietly(check, condition, top, depth);
+        else check.emit.jump(OpCode::Loop, top, 0, 0, 0, depth);
     }
-    loops_.pop_back();
-    emit_.bind(done);
-    for_limit_ = outer_limit;
-    --loop_depth_;
-    leave_scope(outer);
-    emit_.release_to(mark);
-    return completion(!(is_always(ast(), condition) && !breaks(ast(), stmt.statement[1])));
-}
-
-/// The condition a second time: what it had to report was reported the first time.
-void Checker::jump_if_quietly(ExprId condition, Label& top, int depth) {
-    const Trial trial(*this);
-    jump_if(condition, true, top, depth);
-}
-
-/// What a global is, is known when it has been checked; it may stand further down.
-void Checker::check_named_global(ExprId id) {
-    if (ast()[id].kind != ExprKind::Name) return;
-    const Found found = find(text(ast()[id].text));
-    if (found.symbol >= 0 || found.name == nullptr) return;
-    if (found.name->what == Name::What::Variable) check_global(found.name->index, is_startup_);
-}
-
-bool Checker::is_plain_constant(ExprId id) const {
-    const Expr& expr = ast()[id];
-    if (expr.kind == ExprKind::Int) return true;
-    if (expr.kind != ExprKind::Name) return false;
-    const Found found = find(text(expr.text));
-    if (found.symbol >= 0) {
-        return symbols_[static_cast<std::size_t>(found.symbol)].storage ==
-               Symbol::Storage::Constant;
-    }
-    if (found.name == nullptr || found.name->what != Name::What::Variable) return false;
-    return globals_[found.name->index].symbol.storage == Symbol::Storage::Constant;
+    check.here.loops.pop_back();
+    check.emit.bind(done);
+    check.body.for_limit = outer_limit;
+    --check.here.loop_depth;
+    leave_scope(check, outer);
+    check.emit.release_to(mark);
+    return completion(
+        !(is_always(check.ast(), condition) && !breaks(check.ast(), stmt.statement[1])));
 }
 
 namespace {
+
+/// The condition a second time: what it had to report was reported the first time.
+void jump_if_quietly(Check& check, ExprId condition, Label& top, int depth) {
+    const Trial trial(check);
+    jump_if(check, condition, true, top, depth);
+}
+
+/// What a global is, is known when it has been checked; it may stand further down.
+void check_named_global(Check& check, ExprId id) {
+    if (check.ast()[id].kind != ExprKind::Name) return;
+    const Found found = find(check, check.text(check.ast()[id].text));
+    if (found.symbol >= 0 || found.name == nullptr) return;
+    if (found.name->what == Name::What::Variable)
+        check_global(check, found.name->index, check.here.is_startup);
+}
+
+bool is_plain_constant(const Check& check, ExprId id) {
+    const Expr& expr = check.ast()[id];
+    if (expr.kind == ExprKind::Int) return true;
+    if (expr.kind != ExprKind::Name) return false;
+    const Found found = find(check, check.text(expr.text));
+    if (found.symbol >= 0) {
+        return check.scopes[found.symbol].storage == Symbol::Storage::Constant;
+    }
+    if (found.name == nullptr || found.name->what != Name::What::Variable) return false;
+    return check.names.global(found.name->index).symbol.storage == Symbol::Storage::Constant;
+}
 
 /// A whole number that stands in the source with its sign; of `1..n` nobody knows what n will be.
 std::optional<std::int64_t> written_number(std::string_view text) {
@@ -248,183 +275,186 @@ std::optional<std::int64_t> written_number(std::string_view text) {
     return is_whole ? std::optional(number) : std::nullopt;
 }
 
-}  // namespace
-
 /// `3..1` runs not at all: a range does not run backwards.
-void Checker::warn_of_empty_range(const Expr& range) {
-    const auto first = written_number(sources_.text(ast()[range.child[0]].range));
-    const auto last = written_number(sources_.text(ast()[range.child[1]].range));
+void warn_of_empty_range(Check& check, const Expr& range) {
+    const auto first = written_number(check.sources.text(check.ast()[range.child[0]].range));
+    const auto last = written_number(check.sources.text(check.ast()[range.child[1]].range));
     if (!first || !last || *first <= *last) return;
-    report(diag::EmptyRange, range.range)
-        .arg(sources_.text(range.range))
+    check.report(diag::EmptyRange, range.range)
+        .arg(check.sources.text(range.range))
         .fix("downwards counts `for (int i = " + std::to_string(*first) +
              "; i >= " + std::to_string(*last) + "; i--)`");
 }
 
-void Checker::for_range(const Stmt& stmt) {
-    const Decl& decl = ast()[stmt.declaration];
+void for_range(Check& check, const Stmt& stmt) {
+    const Decl& decl = check.ast()[stmt.declaration];
     // `for (int i : 1..6)`: both ends included.
     Symbol symbol;
-    symbol.name = text(decl.name);
+    symbol.name = check.text(decl.name);
     symbol.range = decl.name_range;
     symbol.decl = stmt.declaration;
     symbol.is_read = true;  // to count passes is use enough
-    symbol.type = decl.type.is_valid() ? resolve_type(decl.type) : types::kInt;
+    symbol.type = decl.type.is_valid() ? resolve_type(check, decl.type) : types::kInt;
     symbol.is_const = decl.is_const;
-    if (symbol.type != types::kInt && kind(symbol.type) != TypeKind::Error) {
-        report(diag::RangeType, decl.range).arg(type_name(symbol.type));
+    if (symbol.type != types::kInt && check.kind(symbol.type) != TypeKind::Error) {
+        check.report(diag::RangeType, decl.range).arg(check.type_name(symbol.type));
         symbol.type = types::kInt;
     }
-    const Expr& range = ast()[stmt.expression[0]];
-    const Reg hidden = emit_.take(2);  // the counter and the end, out of the body's reach
-    expression_in(range.child[0], types::kInt, hidden, "the start of the range");
-    expression_in(range.child[1], types::kInt, static_cast<Reg>(hidden + 1),
+    const Expr& range = check.ast()[stmt.expression[0]];
+    const Reg hidden = check.emit.take(2);  // the counter and the end, out of the body's reach
+    expression_in(check, range.child[0], types::kInt, hidden, "the start of the range");
+    expression_in(check, range.child[1], types::kInt, static_cast<Reg>(hidden + 1),
                   "the end of the range");
-    warn_of_empty_range(range);
-    symbol.reg = emit_.take(1);
+    warn_of_empty_range(check, range);
+    symbol.reg = check.emit.take(1);
     const Reg counter = symbol.reg;
-    add_symbol(symbol);
+    add_symbol(check, symbol);
     Label top;
     Label next;
     Label done;
-    const int depth = loop_depth_++;
-    forget_givenness();
-    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
-    emit_.jump(OpCode::JumpLtI, done, static_cast<Reg>(hidden + 1), hidden);
-    emit_.bind(top);
-    emit_.emit(OpCode::Move, counter, hidden);
-    loops_.push_back({&done, &next, with_depth_});
-    const std::vector<Givenness> before = remember_givenness();
-    statement(stmt.statement[0]);
-    merge_givenness(before);
-    loops_.pop_back();
-    emit_.bind(next);
-    emit_.jump(OpCode::ForLeI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
-    emit_.bind(done);
-    --loop_depth_;
+    const int depth = check.here.loop_depth++;
+    check.scopes.forget_flow();
+    check.emit.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    check.emit.jump(OpCode::JumpLtI, done, static_cast<Reg>(hidden + 1), hidden);
+    check.emit.bind(top);
+    check.emit.emit(OpCode::Move, counter, hidden);
+    check.here.loops.push_back({&done, &next, check.here.with_depth});
+    const FlowState before = check.scopes.flow();
+    statement(check, stmt.statement[0]);
+    check.scopes.join_flow(before);
+    check.here.loops.pop_back();
+    check.emit.bind(next);
+    check.emit.jump(OpCode::ForLeI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
+    check.emit.bind(done);
+    --check.here.loop_depth;
 }
 
 /// The characters of a string as an array for `for`.
-Value Checker::characters(const Value& string, bool is_reference, const Decl& decl,
-                          const SourceRange& range) {
+Value characters(Check& check, const Value& string, bool is_reference, const Decl& decl,
+                 const SourceRange& range) {
     if (is_reference) {
-        report(diag::NotAPlace, decl.range);
+        check.report(diag::NotAPlace, decl.range);
         return error_value();
     }
-    const Reg from = in_register(string);
-    const Reg reg = emit_.take(1);
-    emit_.set_location(range);
-    emit_.emit_pair(OpCode::SplitText, reg, from, 0, layout_constant(types::kString));
-    return in_registers(types_.array(types::kString, -1), reg);
+    const Reg from = in_register(check, string);
+    const Reg reg = check.emit.take(1);
+    check.emit.set_location(range);
+    check.emit.emit_pair(OpCode::SplitText, reg, from, 0, layout_constant(check, types::kString));
+    return in_registers(check.types.array(types::kString, -1), reg);
 }
 
-Checker::Completion Checker::for_each(const Stmt& stmt) {
-    const OuterScope outer = enter_scope(stmt.range);
-    const Reg mark = emit_.mark();
-    const Decl& decl = ast()[stmt.declaration];
+}  // namespace
+
+Completion for_each(Check& check, const Stmt& stmt) {
+    const Scopes::Outer outer = check.scopes.enter(stmt.range);
+    const Reg mark = check.emit.mark();
+    const Decl& decl = check.ast()[stmt.declaration];
     const auto leave = [&] {
-        leave_scope(outer);
-        emit_.release_to(mark);
+        leave_scope(check, outer);
+        check.emit.release_to(mark);
     };
-    if (ast()[stmt.expression[0]].kind == ExprKind::Range) {
-        for_range(stmt);
+    if (check.ast()[stmt.expression[0]].kind == ExprKind::Range) {
+        for_range(check, stmt);
         leave();
         return Completion::Normal;
     }
-    const SourceRange range = ast()[stmt.expression[0]].range;
-    const bool is_reference = decl.type.is_valid() && ast()[decl.type].is_reference;
-    const Type written = decl.type.is_valid() ? resolve_type(decl.type) : types::kError;
+    const SourceRange range = check.ast()[stmt.expression[0]].range;
+    const bool is_reference = decl.type.is_valid() && check.ast()[decl.type].is_reference;
+    const Type written = decl.type.is_valid() ? resolve_type(check, decl.type) : types::kError;
     const Type wanted =
-        kind(written) != TypeKind::Error ? types_.array(written, -1) : types::kError;
-    const bool is_braces = ast()[stmt.expression[0]].kind == ExprKind::Braces;
+        check.kind(written) != TypeKind::Error ? check.types.array(written, -1) : types::kError;
+    const bool is_braces = check.ast()[stmt.expression[0]].kind == ExprKind::Braces;
     const std::optional<Lvalue> source =
-        is_braces ? std::nullopt : owner_lvalue(stmt.expression[0]);
-    Value list = is_braces ? expression(stmt.expression[0], wanted)
-                 : source  ? load(*source, range, true, kNoReg)
+        is_braces ? std::nullopt : owner_lvalue(check, stmt.expression[0]);
+    Value list = is_braces ? expression(check, stmt.expression[0], wanted)
+                 : source  ? load(check, *source, range, true, kNoReg)
                            : error_value();
-    list = require_given(list, range, {});
-    if (kind(list.type) == TypeKind::String) list = characters(list, is_reference, decl, range);
+    list = require_given(check, list, range, {});
+    if (check.kind(list.type) == TypeKind::String)
+        list = characters(check, list, is_reference, decl, range);
     Symbol symbol;
-    symbol.name = text(decl.name);
+    symbol.name = check.text(decl.name);
     symbol.range = decl.name_range;
     symbol.decl = stmt.declaration;
     symbol.is_read = true;  // to count passes is use enough
     symbol.type = written;
     symbol.is_row = true;
     symbol.is_const = decl.is_const;
-    if (kind(list.type) != TypeKind::Array) {
-        if (!is_error(list)) report(diag::NotAnArray, range).arg(type_name(list.type));
-        symbol.reg = emit_.take(std::max<unsigned>(1, type_info(written).slots));
-        add_symbol(symbol);
-        loops_.push_back({nullptr, nullptr, with_depth_});
+    if (check.kind(list.type) != TypeKind::Array) {
+        if (!check.is_error(list))
+            check.report(diag::NotAnArray, range).arg(check.type_name(list.type));
+        symbol.reg = check.emit.take(std::max<unsigned>(1, check.type_info(written).slots));
+        add_symbol(check, symbol);
+        check.here.loops.push_back({nullptr, nullptr, check.here.with_depth});
         Label nowhere;
-        loops_.back() = {&nowhere, &nowhere, with_depth_};
-        statement(stmt.statement[0]);
-        loops_.pop_back();
-        emit_.bind(nowhere);
+        check.here.loops.back() = {&nowhere, &nowhere, check.here.with_depth};
+        statement(check, stmt.statement[0]);
+        check.here.loops.pop_back();
+        check.emit.bind(nowhere);
         leave();
         return Completion::Normal;
     }
-    const Type element = type_info(list.type).element;
+    const Type element = check.type_info(list.type).element;
     if (!decl.type.is_valid()) symbol.type = element;
-    const std::uint16_t slots = type_info(element).slots;
-    const Reg handle = emit_.take(1);
+    const std::uint16_t slots = check.type_info(element).slots;
+    const Reg handle = check.emit.take(1);
     // Without `&` the elements are those that the list has now, whatever the body does to it.
     const bool may_change = !is_reference && source && !source->is_temporary && !source->is_const;
-    emit_.emit(may_change && !is_contour(list.type) ? OpCode::CopyArray : OpCode::Move, handle,
-               list.reg);
-    const Reg hidden = emit_.take(2);  // index, count
+    check.emit.emit(may_change && !check.is_contour(list.type) ? OpCode::CopyArray : OpCode::Move,
+                    handle, list.reg);
+    const Reg hidden = check.emit.take(2);  // index, count
     const std::uint16_t symbol_slots =
-        is_reference ? 1 : std::max<std::uint16_t>(1, type_info(symbol.type).slots);
-    symbol.reg = emit_.take(symbol_slots);
+        is_reference ? 1 : std::max<std::uint16_t>(1, check.type_info(symbol.type).slots);
+    symbol.reg = check.emit.take(symbol_slots);
     if (is_reference) {
         symbol.storage = Symbol::Storage::Reference;
-        if (symbol.type != element && kind(symbol.type) != TypeKind::Error) {
-            check_places(element, symbol.type, decl.range, symbol.name);
+        if (symbol.type != element && check.kind(symbol.type) != TypeKind::Error) {
+            check_places(check, element, symbol.type, decl.range, symbol.name);
         }
         if (source && !source->is_temporary && source->is_const && !decl.is_const)
             symbol.is_const = true;
     }
     const Symbol copy = symbol;
-    add_symbol(symbol);
+    add_symbol(check, symbol);
     Label top;
     Label next;
     Label done;
-    const int depth = loop_depth_++;
-    forget_givenness();
-    emit_.emit_integer(OpCode::LoadI, hidden, 0, 0);
-    emit_.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
-    emit_.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
-    emit_.jump(OpCode::JumpLeI, done, static_cast<Reg>(hidden + 1), hidden);
-    emit_.bind(top);
+    const int depth = check.here.loop_depth++;
+    check.scopes.forget_flow();
+    check.emit.emit_integer(OpCode::LoadI, hidden, 0, 0);
+    check.emit.emit_pair(OpCode::LoopStart, 0, 0, 0, 0, depth);
+    check.emit.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
+    check.emit.jump(OpCode::JumpLeI, done, static_cast<Reg>(hidden + 1), hidden);
+    check.emit.bind(top);
     Lvalue at;
     at.storage = Lvalue::Storage::Element;
     at.type = element;
     at.reg = handle;
     at.index = hidden;
     at.stride = slots;
-    at.may_be_unset = type_info(list.type).count >= 0;
+    at.may_be_unset = check.type_info(list.type).count >= 0;
     at.root = "the element";
-    const Reg above = emit_.mark();
+    const Reg above = check.emit.mark();
     if (is_reference) {
-        emit_.emit(OpCode::Move, copy.reg, reference_to(at));
+        check.emit.emit(OpCode::Move, copy.reg, reference_to(check, at));
     } else {
-        const Value item = convert(load(at, range, true, copy.type == element ? copy.reg : kNoReg),
-                                   copy.type, decl.range, copy.name);
-        if (!is_error(item)) copy_value(item, copy.reg);
+        const Value item =
+            convert(check, load(check, at, range, true, copy.type == element ? copy.reg : kNoReg),
+                    copy.type, decl.range, copy.name);
+        if (!check.is_error(item)) copy_value(check, item, copy.reg);
     }
-    emit_.release_to(above);
-    loops_.push_back({&done, &next, with_depth_});
-    const std::vector<Givenness> before = remember_givenness();
-    statement(stmt.statement[0]);
-    merge_givenness(before);
-    loops_.pop_back();
-    emit_.bind(next);
+    check.emit.release_to(above);
+    check.here.loops.push_back({&done, &next, check.here.with_depth});
+    const FlowState before = check.scopes.flow();
+    statement(check, stmt.statement[0]);
+    check.scopes.join_flow(before);
+    check.here.loops.pop_back();
+    check.emit.bind(next);
     // The list may have grown or shrunk meanwhile.
-    emit_.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
-    emit_.jump(OpCode::ForLtI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
-    emit_.bind(done);
-    --loop_depth_;
+    check.emit.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
+    check.emit.jump(OpCode::ForLtI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
+    check.emit.bind(done);
+    --check.here.loop_depth;
     leave();
     return Completion::Normal;
 }

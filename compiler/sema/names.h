@@ -50,7 +50,7 @@ struct Symbol {
     std::uint32_t global = 0;
     Value constant;
     bool is_const = false;
-    bool is_loop_variable = false;
+    bool is_optional = false;     // its type is
     bool may_be_unset = false;    // declared without a value: reads are checked
     std::string_view unset_name;  // what is not given then, if it is not the variable itself
     Givenness givenness = Givenness::Given;

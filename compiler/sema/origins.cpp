@@ -3,12 +3,15 @@
 //
 // Both are right by the rules (a bare number takes the dimension that is wanted there) and wrong in
 // the part. The origin goes along with a value through products, quotients, sums and variables.
+#include "sema/origins.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "base/diagnostics/sema.h"
-#include "sema/checker.h"
+#include "sema/checking.h"
+#include "sema/values.h"
 
 namespace kadr::sema {
 
@@ -38,7 +41,7 @@ bool is_written(double literal, int decimals, double number) {
 
 /// A number as it stands in the program: `3.14159` and `0.7854` are angles in radians, as `pi/4`.
 /// With fewer than four decimals it may be anything.
-Origin Checker::origin_of_literal(double number, std::string_view literal) {
+Origin origin_of_literal(double number, std::string_view literal) {
     constexpr int kLeast = 4;
     constexpr std::array kRadians = {kPi / 6,     kPi / 4,     kPi / 3, kPi / 2,     2 * kPi / 3,
                                      3 * kPi / 4, 5 * kPi / 6, kPi,     3 * kPi / 2, 2 * kPi};
@@ -50,13 +53,14 @@ Origin Checker::origin_of_literal(double number, std::string_view literal) {
     return is(180 / kPi) ? Origin::PerRadian : Origin::Any;
 }
 
-Origin Checker::origin_of_result(Operator op, const Value& left, const Value& right) const {
+Origin origin_of_result(const Check& check, Operator op, const Value& left, const Value& right) {
     const auto either = [&](Origin origin) {
         return left.origin == origin || right.origin == origin;
     };
     // Times 180 or 360 nothing is in radians any more.
-    const auto is_half_turns = [this](const Value& value) {
-        const std::optional<double> number = value.is_constant() ? number_of(value) : std::nullopt;
+    const auto is_half_turns = [&check](const Value& value) {
+        const std::optional<double> number =
+            value.is_constant() ? number_of(check, value) : std::nullopt;
         return number == 180.0 || number == 360.0;
     };
     switch (op) {
@@ -70,8 +74,8 @@ Origin Checker::origin_of_result(Operator op, const Value& left, const Value& ri
             if (left.origin == Origin::Radians)
                 return right.origin == Origin::Radians ? Origin::Any : Origin::Radians;
             if (right.origin == Origin::Radians) return Origin::PerRadian;
-            const TypeInfo& a = type_info(left.type);
-            const TypeInfo& b = type_info(right.type);
+            const TypeInfo& a = check.type_info(left.type);
+            const TypeInfo& b = check.type_info(right.type);
             const bool is_ratio = a.kind == TypeKind::Real && b.kind == TypeKind::Real &&
                                   a.quantity == b.quantity && !a.quantity.is_number() &&
                                   !right.is_constant();  // `a/1mm` makes a number on purpose
@@ -84,14 +88,15 @@ Origin Checker::origin_of_result(Operator op, const Value& left, const Value& ri
 }
 
 /// A bare number is about to take the dimension that is wanted.
-void Checker::warn_of_origin(const Value& value, Type target, const SourceRange& range) {
-    const TypeInfo& to = type_info(target);
+void warn_of_origin(Check& check, const Value& value, Type target, const SourceRange& range) {
+    const TypeInfo& to = check.type_info(target);
     const bool is_angle = to.kind == TypeKind::Real && to.quantity == kAngle;
     if (value.origin == Origin::Radians && is_angle) {
-        report(diag::RadiansAsDegrees, range)
-            .fix("say that it is in radians: `(" + std::string(sources_.text(range)) + ")*1rad`");
+        check.report(diag::RadiansAsDegrees, range)
+            .fix("say that it is in radians: `(" + std::string(check.sources.text(range)) +
+                 ")*1rad`");
     } else if (value.origin == Origin::Ratio && !is_angle) {  // 360*w/h is one on purpose
-        report(diag::RatioAsQuantity, range).arg(type_name(target));
+        check.report(diag::RatioAsQuantity, range).arg(check.type_name(target));
     }
 }
 

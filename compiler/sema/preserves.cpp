@@ -3,12 +3,16 @@
 // Follows the modal groups that are named through the statements: after each one, which words can
 // have set a group last. On every way out that must be the member that the cycle names, or nothing.
 // What cannot be decided here (another cycle's doing, raw text) is left to the running program.
+#include "sema/preserves.h"
+
 #include <algorithm>
 #include <map>
 
 #include "base/diagnostics/sema.h"
 #include "nc/frame_words.h"
-#include "sema/checker.h"
+#include "sema/blocks.h"
+#include "sema/checking.h"
+#include "sema/with.h"
 
 namespace kadr::sema {
 
@@ -53,22 +57,22 @@ void join(Flow& into, const Flow& other) {
 
 class PreservesCheck {
   public:
-    explicit PreservesCheck(Checker& checker) : checker_(checker) {}
+    explicit PreservesCheck(Check& check) : check_(check) {}
 
     /// The flow at the end of a body, joined over all ways out.
     Flow follow(const FunctionDecl& function) {
-        const std::uint32_t module = std::exchange(checker_.module_, function.module);
+        const std::uint32_t module = std::exchange(check_.here.module, function.module);
         Flow flow;
         Flow out;
         out.is_reached = false;
         std::swap(out, out_);
         std::vector<LoopFlow> loops;
         std::swap(loops, loops_);
-        walk(checker_.ast()[function.decl].body, flow);
+        walk(check_.ast()[function.decl].body, flow);
         std::swap(loops, loops_);
         std::swap(out, out_);
         join(out, flow);
-        checker_.module_ = module;
+        check_.here.module = module;
         return out;
     }
 
@@ -92,8 +96,8 @@ class PreservesCheck {
     }
 
     void words(const Stmt& stmt, Flow& flow) {
-        for (const syntax::Word& word : checker_.ast().word_run(stmt.words)) {
-            const auto plan = checker_.plan_words({&word, 1});
+        for (const syntax::Word& word : check_.ast().word_run(stmt.words)) {
+            const auto plan = plan_words(check_, {&word, 1});
             if (!plan) continue;
             if (plan->block.motion != nc::Function::None)
                 apply(flow, plan->block.motion, word.range);
@@ -105,19 +109,19 @@ class PreservesCheck {
 
     void calls(ExprId id, Flow& flow) {
         if (!id.is_valid()) return;
-        const Expr& expr = checker_.ast()[id];
+        const Expr& expr = check_.ast()[id];
         for (const ExprId child : expr.child) calls(child, flow);
-        for (const ExprId child : checker_.ast().exprs(expr.list)) calls(child, flow);
-        if (expr.kind != ExprKind::Call || checker_.ast()[expr.child[0]].kind != ExprKind::Name)
+        for (const ExprId child : check_.ast().exprs(expr.list)) calls(child, flow);
+        if (expr.kind != ExprKind::Call || check_.ast()[expr.child[0]].kind != ExprKind::Name)
             return;
-        const std::string_view name = checker_.text(checker_.ast()[expr.child[0]].text);
-        const Name* found = checker_.find_global(checker_.module_, name);
+        const std::string_view name = check_.text(check_.ast()[expr.child[0]].text);
+        const Name* found = check_.names.find(check_.here.module, name);
         if (found == nullptr) {
             if (const auto function = nc::find_function(name)) apply(flow, *function, expr.range);
             return;
         }
         if (found->what != Name::What::Function) return;
-        const FunctionDecl& callee = checker_.functions_[found->index];
+        const FunctionDecl& callee = check_.names.function(found->index);
         if (std::find(open_.begin(), open_.end(), found->index) != open_.end()) return;
         open_.push_back(found->index);
         const Flow after = follow(callee);
@@ -147,13 +151,13 @@ class PreservesCheck {
     }
 
     void list(syntax::List statements, Flow& flow) {
-        for (const StmtId id : checker_.ast().stmts(statements)) walk(id, flow);
+        for (const StmtId id : check_.ast().stmts(statements)) walk(id, flow);
     }
 
     void with(const Stmt& stmt, Flow& flow) {
         // Whatever it sets is set back on every way out: the groups of its head are as before.
         const Flow before = flow;
-        const ModalMask mask = checker_.with_mask(stmt);
+        const ModalMask mask = with_mask(check_, stmt);
         restored_.push_back({mask, before});
         for (ModalMask bit = 1; bit != 0; bit <<= 1) {
             if ((mask & bit) != 0) flow.setters.erase(bit);
@@ -183,14 +187,14 @@ class PreservesCheck {
 
     void walk(StmtId id, Flow& flow) {
         if (!id.is_valid() || !flow.is_reached) return;
-        const Stmt& stmt = checker_.ast()[id];
+        const Stmt& stmt = check_.ast()[id];
         for (const ExprId expression : stmt.expression) {
             if (stmt.kind != StmtKind::For && stmt.kind != StmtKind::DoWhile)
                 calls(expression, flow);
         }
         switch (stmt.kind) {
             case StmtKind::Block: list(stmt.statements, flow); break;
-            case StmtKind::Declaration: calls(checker_.ast()[stmt.declaration].value, flow); break;
+            case StmtKind::Declaration: calls(check_.ast()[stmt.declaration].value, flow); break;
             case StmtKind::If: {
                 Flow other = flow;
                 walk(stmt.statement[0], flow);
@@ -212,9 +216,9 @@ class PreservesCheck {
                 loops_.back().on_break.is_reached = false;
                 const Flow before = flow;
                 flow.is_reached = false;
-                for (const StmtId entry : checker_.ast().stmts(stmt.statements)) {
+                for (const StmtId entry : check_.ast().stmts(stmt.statements)) {
                     join(flow, before);
-                    list(checker_.ast()[entry].statements, flow);
+                    list(check_.ast()[entry].statements, flow);
                 }
                 join(flow, before);
                 join(flow, loops_.back().on_break);
@@ -244,19 +248,19 @@ class PreservesCheck {
         Flow before;
     };
 
-    Checker& checker_;
+    Check& check_;
     Flow out_;
     std::vector<LoopFlow> loops_;
     std::vector<Restored> restored_;
     std::vector<std::uint32_t> open_;  // functions that are being followed
 };
 
-std::vector<nc::Function> Checker::preserved_members(const syntax::Decl& decl) {
-    const Trial trial(*this);  // words_mask has reported it
+std::vector<nc::Function> preserved_members(Check& check, const syntax::Decl& decl) {
+    const Trial trial(check);  // words_mask has reported it
     std::vector<nc::Function> members;
-    for (const syntax::Word& word : ast().word_run(decl.preserves)) {
-        if (named_state(word) != 0) continue;
-        if (const auto plan = plan_words({&word, 1}); plan) {
+    for (const syntax::Word& word : check.ast().word_run(decl.preserves)) {
+        if (named_state(check, word) != 0) continue;
+        if (const auto plan = plan_words(check, {&word, 1}); plan) {
             if (plan->block.motion != nc::Function::None) {
                 members.push_back(plan->block.motion);
             } else if (plan->block.function_count > 0) {
@@ -267,18 +271,18 @@ std::vector<nc::Function> Checker::preserved_members(const syntax::Decl& decl) {
     return members;
 }
 
-void Checker::check_preserves(const FunctionDecl& function, const syntax::Decl& decl) {
-    std::optional<Trial> trial(*this);  // the words were reported where they are planned
-    const Flow flow = PreservesCheck(*this).follow(function);
+void check_preserves(Check& check, const FunctionDecl& function, const syntax::Decl& decl) {
+    std::optional<Trial> trial(check);  // the words were reported where they are planned
+    const Flow flow = PreservesCheck(check).follow(function);
     std::map<ModalMask, nc::Function> promised;
     std::map<ModalMask, std::string> names;
-    for (const syntax::Word& word : ast().word_run(decl.preserves)) {
-        const ModalMask mask = words_mask({&word, 1}, true);
+    for (const syntax::Word& word : check.ast().word_run(decl.preserves)) {
+        const ModalMask mask = words_mask(check, {&word, 1}, true);
         if (mask == 0) continue;
-        names[mask] = mask == kFrameBit ? "frames" : word_text(word);
+        names[mask] = mask == kFrameBit ? "frames" : word_text(check, word);
         promised[mask] = nc::Function::None;
-        if (named_state(word) != 0) continue;
-        if (const auto plan = plan_words({&word, 1}); plan) {
+        if (named_state(check, word) != 0) continue;
+        if (const auto plan = plan_words(check, {&word, 1}); plan) {
             promised[mask] = plan->block.motion != nc::Function::None ? plan->block.motion
                              : plan->block.function_count > 0 ? plan->block.functions[0].function
                                                               : nc::Function::None;
@@ -290,7 +294,7 @@ void Checker::check_preserves(const FunctionDecl& function, const syntax::Decl& 
         if (found == flow.setters.end()) continue;
         for (const Setter& setter : found->second) {
             if (setter.function == member && bit != kFrameBit) continue;
-            report(diag::PreservesBroken, setter.range)
+            check.report(diag::PreservesBroken, setter.range)
                 .arg(function.name)
                 .arg(names[bit])
                 .arg(nc::info(setter.function).name)

@@ -94,7 +94,6 @@ bool is_of_file(Kind kind) {
         case Kind::EnumMember: return true;
         case Kind::Variable:
         case Kind::Contour:  // of a file, if it has no scope
-        case Kind::LoopVariable:
         case Kind::Parameter:
         case Kind::Test:
         case Kind::Property:
@@ -324,7 +323,6 @@ std::string describe(const Checked& checked, SymbolId id) {
     const DeclaredSymbol& symbol = checked[id];
     switch (symbol.kind) {
         case Kind::Variable:
-        case Kind::LoopVariable:
         case Kind::Parameter:
         case Kind::Member: return (symbol.is_const ? "const " : "") + with_type(checked, symbol);
         case Kind::Contour: return "contour " + symbol.name;

@@ -63,8 +63,8 @@ struct Proposal {
 };
 
 /// What could stand at this byte, in place of the word that ends there; sorted by text, each once.
-/// Behind a point the members of what stands before it; in a call the names of its parameters, too.
-/// `keywords` of the file's keyword language; null: none are proposed.
+/// BehindWords a point the members of what stands before it; in a call the names of its parameters,
+/// too. `keywords` of the file's keyword language; null: none are proposed.
 std::vector<Proposal> proposals_at(const Checked& checked, const Sources& sources,
                                    const syntax::KeywordTable* keywords, FileId file,
                                    std::uint32_t byte);
