@@ -5,19 +5,28 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include <unistd.h>
 
 #include "base/diagnostics/driver.h"
+#include "base/render.h"
 #include "driver/options.h"
 
 namespace kadr::cli {
 
 namespace {
 
-/// A handler of the runtime can reach nothing but a global.
-std::atomic<bool> says_json{false};
+/// The message for a program, made while there is memory; null: it is for a person. A handler of
+/// the runtime can reach nothing but a global.
+std::atomic<const std::string*> json_message{nullptr};
+
+std::string rendered_json() {
+    Diagnostic diagnostic;
+    diagnostic.row = &diag::OutOfMemory;
+    return render_json(diagnostic, Sources()) + '\n';
+}
 
 void write(std::string_view text) {
     while (!text.empty()) {
@@ -47,17 +56,22 @@ void write(std::string_view text) {
 void end_without_memory() { std::set_terminate(on_terminate); }
 
 void say_out_of_memory_as(driver::MessageFormat format) {
-    says_json = format == driver::MessageFormat::Json;
+    if (format != driver::MessageFormat::Json) return;
+    static const std::string message = rendered_json();
+    json_message = &message;
 }
 
 int report_out_of_memory() {
-    const bool json = says_json;
-    const DiagnosticRow& row = diag::OutOfMemory;
-    write(json ? R"({"file":"","severity":"error","code":")" : "error[");
-    write(row.code);
-    write(json ? R"(","message":")" : "]: ");
-    write(row.message);
-    write(json ? "\",\"notes\":[],\"fixes\":[]}\n" : "\n");
+    if (const std::string* const json = json_message) {
+        write(*json);
+    } else {
+        const DiagnosticRow& row = diag::OutOfMemory;
+        write("error[");
+        write(row.code);
+        write("]: ");
+        write(row.message);
+        write("\n");
+    }
     return static_cast<int>(driver::Status::Failed);
 }
 

@@ -1,6 +1,6 @@
 #include "driver/command_list.h"
 
-#include "base/render.h"
+#include "base/json_writer.h"
 
 namespace kadr::driver {
 
@@ -32,7 +32,14 @@ void CommandList::write(const path::Command& command) {
 }
 
 void CommandList::write_alarm(std::string_view text) {
-    out_.write("{\"op\":\"alarm\",\"text\":" + json_string(text) + "}\n");
+    line_.clear();
+    JsonWriter json(line_);
+    json.object([&] {
+        json.key("op").value("alarm");
+        json.key("text").value(text);
+    });
+    json.end_line();
+    out_.write(line_);
 }
 
 }  // namespace kadr::driver

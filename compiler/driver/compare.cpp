@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/done.h"
+#include "base/json_writer.h"
 #include "base/numbers.h"
-#include "base/render.h"
 #include "base/units.h"
 #include "driver/execution.h"
 #include "driver/output.h"
@@ -167,36 +167,43 @@ std::string comparison_text(const Comparison& result, const std::array<ComparedP
     return out;
 }
 
-void put_point(std::string& out, const char* name, const ComparedPoint& point,
+void put_point(JsonWriter& json, JsonName name, const ComparedPoint& point,
                const std::array<ComparedProgram*, 2>& sides) {
     const std::array<std::uint32_t, 2> lines = {point.first_line, point.second_line};
     const std::array<path::Vec3, 2> points = {point.first, point.second};
-    put(out, ",\"{}\":[", name);
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        put(out, "{}{{\"at\":{},\"x\":{},\"y\":{},\"z\":{}}}", i > 0 ? "," : "",
-            json_string(sides[i]->place(lines[i])), format_shortest(round_to(points[i].x(), 9)),
-            format_shortest(round_to(points[i].y(), 9)),
-            format_shortest(round_to(points[i].z(), 9)));
-    }
-    out += ']';
+    json.key(name).array([&] {
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            json.object([&] {
+                json.key("at").value(sides[i]->place(lines[i]));
+                json.key("x").rounded(points[i].x(), 9);
+                json.key("y").rounded(points[i].y(), 9);
+                json.key("z").rounded(points[i].z(), 9);
+            });
+        }
+    });
 }
 
 std::string comparison_json(const Comparison& result,
                             const std::array<ComparedProgram*, 2>& sides) {
-    std::string out = "{\"same\":";
-    out += result.parting ? "false" : "true";
-    if (result.parting) put(out, ",\"parting\":\"{}\"", name_of(*result.parting));
-    put(out, ",\"stretches\":{},\"distance_mm\":{},\"feed_share\":{}", result.stretches,
-        format_shortest(round_to(result.greatest_distance, 9)),
-        format_shortest(round_to(result.greatest_feed_share, 9)));
-    put(out, ",\"time_s\":[{},{}],\"length_mm\":[{},{}]",
-        format_shortest(round_to(sides[0]->totals().time, 9)),
-        format_shortest(round_to(sides[1]->totals().time, 9)),
-        format_shortest(round_to(sides[0]->totals().length, 9)),
-        format_shortest(round_to(sides[1]->totals().length, 9)));
-    if (result.parting) put_point(out, "parted", result.parted, sides);
-    else put_point(out, "widest", result.widest, sides);
-    return out + "}\n";
+    std::string out;
+    JsonWriter json(out);
+    json.object([&] {
+        json.key("same").value(!result.parting.has_value());
+        if (result.parting) json.key("parting").value(name_of(*result.parting));
+        json.key("stretches").value(result.stretches);
+        json.key("distance_mm").rounded(result.greatest_distance, 9);
+        json.key("feed_share").rounded(result.greatest_feed_share, 9);
+        json.key("time_s").array([&] {
+            for (const ComparedProgram* side : sides) json.rounded(side->totals().time, 9);
+        });
+        json.key("length_mm").array([&] {
+            for (const ComparedProgram* side : sides) json.rounded(side->totals().length, 9);
+        });
+        if (result.parting) put_point(json, "parted", result.parted, sides);
+        else put_point(json, "widest", result.widest, sides);
+    });
+    json.end_line();
+    return out;
 }
 
 }  // namespace

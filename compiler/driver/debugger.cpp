@@ -10,7 +10,6 @@
 #include "base/diagnostics/driver.h"
 #include "base/numbers.h"
 #include "base/printable.h"
-#include "base/render.h"
 #include "base/text.h"
 #include "nc/tables.h"
 
@@ -325,11 +324,8 @@ void Debugger::show_state() {
     std::string out = "codes    ";
     for (const macro::ActiveCode& code : now.codes) out += ' ' + std::string(code.code);
     out += '\n';
-    for (const ModalEntry& entry : now.modal) {
-        std::string_view value = entry.value;
-        if (value.starts_with('"')) value = value.substr(1, value.size() - 2);
-        out += fmt::format("{:<14} {}\n", entry.name, value == "null" ? "none" : value);
-    }
+    for (const ModalEntry& entry : now.modal)
+        out += fmt::format("{:<14} {}\n", entry.name, modal_text(entry.value, "none"));
     say(out);
 }
 
@@ -338,7 +334,7 @@ void Debugger::show_variables(std::string_view part) {
     const std::string wanted = upper_ascii(part);
     for (const macro::ControlVariable& variable : execution_->variables()) {
         if (!upper_ascii(variable.name).starts_with(wanted)) continue;
-        out += variable.name + " = " + json_value(variable) + '\n';
+        out += variable.name + " = " + json_text(variable) + '\n';
     }
     say(out.empty() ? "no variables\n" : out);
 }
@@ -356,31 +352,32 @@ void Debugger::show_calls() {
 std::string Debugger::stop_json(std::string_view reason) {
     const TraceStep& step = *step_;
     const TraceState now = state();
-    std::string out = "{\"stopped\":" + json_string(reason);
-    out += ",\"file\":" + json_string(step.file) + ",\"line\":" + std::to_string(step.line);
-    out += ",\"text\":" + json_string(step.text);
-    if (step.statement.file.is_valid())
-        out += ",\"src\":" + json_string(session_.source_name(step.statement));
-    out += ",\"position\":" + json_axes(now.now.axes, now.now.work);
-    out += ",\"machine\":" + json_axes(now.now.axes, now.now.machine);
-    const auto object = [&out](std::string_view name, const auto& items, auto member) {
-        out += ",\"" + std::string(name) + "\":{";
-        bool is_first = true;
-        for (const auto& item : items) {
-            if (!std::exchange(is_first, false)) out += ',';
-            out += member(item);
-        }
-        out += '}';
-    };
-    object("codes", now.codes, [](const macro::ActiveCode& code) {
-        return json_string(code.group) + ':' + json_string(code.code);
+    std::string out;
+    JsonWriter json(out);
+    json.object([&] {
+        json.key("stopped").value(reason);
+        json.key("file").value(step.file);
+        json.key("line").value(step.line);
+        json.key("text").value(step.text);
+        if (step.statement.file.is_valid())
+            json.key("src").value(session_.source_name(step.statement));
+        put_axis_values(json.key("position"), now.now.axes, now.now.work);
+        put_axis_values(json.key("machine"), now.now.axes, now.now.machine);
+        json.key("codes").object([&] {
+            for (const macro::ActiveCode& code : now.codes)
+                json.key_of(code.group).value(code.code);
+        });
+        json.key("modal").object([&] {
+            for (const ModalEntry& entry : now.modal)
+                put_value(json.key_of(entry.name), entry.value);
+        });
+        json.key("variables").object([&] {
+            for (const macro::ControlVariable& variable : execution_->variables())
+                put_value(json.key_of(variable.name), variable);
+        });
     });
-    object("modal", now.modal,
-           [](const ModalEntry& entry) { return json_string(entry.name) + ':' + entry.value; });
-    object("variables", execution_->variables(), [](const macro::ControlVariable& variable) {
-        return json_string(variable.name) + ':' + json_value(variable);
-    });
-    return out + "}\n";
+    json.end_line();
+    return out;
 }
 
 }  // namespace kadr::driver

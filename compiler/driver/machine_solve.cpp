@@ -11,8 +11,8 @@
 
 #include "base/diagnostics/machine.h"
 #include "base/done.h"
+#include "base/json_writer.h"
 #include "base/numbers.h"
-#include "base/render.h"
 #include "base/units.h"
 #include "machine/number_list.h"
 #include "machine/orientation.h"
@@ -42,10 +42,10 @@ std::string shown(double value) {
     return format_shortest(rounded == 0 ? 0 : rounded);  // no minus in front of zero
 }
 
-std::string json_numbers(const Vec3& values) {
-    return fmt::format("[{},{},{}]", format_shortest(round_to(values.x(), 12)),
-                       format_shortest(round_to(values.y(), 12)),
-                       format_shortest(round_to(values.z(), 12)));
+void put_numbers(JsonWriter& json, const Vec3& values) {
+    json.array([&] {
+        for (const double value : values) json.rounded(value, 12);
+    });
 }
 
 /// A machine with a chain, and what is asked of it.
@@ -64,14 +64,7 @@ class Solver {
         const ChainPosition position = position_of(*words);
         const machine::Pose pose = machine::forward(chain_, position, tip_);
         const Vec3 direction = pose.rotation * chain_.tool_direction;
-        if (job_.as_json) {
-            std::string rows;
-            for (int i = 0; i < 3; ++i)
-                rows += (i > 0 ? "," : "") + json_numbers(pose.rotation.row(i).transpose());
-            return fmt::format("{{{},\"axes\":{},\"tip\":{},\"tool\":{},\"rotation\":[{}]}}\n",
-                               json_head(), json_axes(position), json_numbers(pose.tip),
-                               json_numbers(direction), rows);
-        }
+        if (job_.as_json) return forward_json(position, pose, direction);
         std::string out = head();
         put(out, "axes {}{}\n", words_of(position), outside_text(position));
         put(out, "tip  X{} Y{} Z{}\n", shown(pose.tip.x()), shown(pose.tip.y()),
@@ -103,7 +96,8 @@ class Solver {
         for (const machine::Solution& solution : *solutions)
             positions.push_back(standing(settled(solution).rotary));
         const auto end = machine::choose_path(chain_, query_);
-        return job_.as_json ? json(*solutions, positions, end) : text(*solutions, positions, end);
+        return job_.as_json ? backward_json(*solutions, positions, end)
+                            : text(*solutions, positions, end);
     }
 
   private:
@@ -363,54 +357,89 @@ class Solver {
 
     // ---------------------------------------------------------------- JSON
 
-    std::string json_head() const {
-        return "\"machine\":" + json_string(machine_.name) + ",\"length\":" + shown(job_.length);
+    void put_head(JsonWriter& json) const {
+        json.key("machine").value(machine_.name);
+        json.key("length").rounded(job_.length, 6);
     }
 
-    std::string json_axes(const ChainPosition& position) const {
-        std::string out = "{";
-        for (const MachineAxis& axis : machine_.axes) {
-            put(out, "{}{}:{}", out.size() > 1 ? "," : "", json_string(axis.name),
-                format_shortest(round_to(shown_unit(axis, value_of(axis, position)), 9)));
-        }
-        return out + '}';
+    void put_axes(JsonWriter& json, const ChainPosition& position) const {
+        json.key("axes").object([&] {
+            for (const MachineAxis& axis : machine_.axes)
+                json.key_of(axis.name).rounded(shown_unit(axis, value_of(axis, position)), 9);
+        });
     }
 
-    std::string json_outside(const ChainPosition& position) const {
-        std::string out = "[";
-        for (const std::string& text : outside(position))
-            put(out, "{}{}", out.size() > 1 ? "," : "", json_string(text));
-        return out + ']';
+    void put_outside(JsonWriter& json, const ChainPosition& position) const {
+        json.key("outside").array([&] {
+            for (const std::string& text : outside(position)) json.value(text);
+        });
     }
 
-    std::string json(const machine::Solutions& solutions,
-                     const std::vector<ChainPosition>& positions, const Choice& end) const {
-        std::string list;
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            put(list,
-                "{}{{\"configuration\":{},\"axes\":{},\"pole\":{},\"equator\":{},\"outside\":{}}}",
-                i > 0 ? "," : "", solutions[i].configuration, json_axes(positions[i]),
-                solutions[i].is_pole, solutions[i].is_equator, json_outside(positions[i]));
-        }
-        const Vec3 direction = query_.rotation * chain_.tool_direction;
-        return fmt::format("{{{},\"tip\":{},\"tool\":{},\"solutions\":[{}],\"choice\":{}}}\n",
-                           json_head(), json_numbers(target_), json_numbers(direction), list,
-                           json_choice(end));
+    std::string forward_json(const ChainPosition& position, const machine::Pose& pose,
+                             const Vec3& direction) const {
+        std::string out;
+        JsonWriter json(out);
+        json.object([&] {
+            put_head(json);
+            put_axes(json, position);
+            put_numbers(json.key("tip"), pose.tip);
+            put_numbers(json.key("tool"), direction);
+            json.key("rotation").array([&] {
+                for (int i = 0; i < 3; ++i) put_numbers(json, pose.rotation.row(i).transpose());
+            });
+        });
+        json.end_line();
+        return out;
     }
 
-    std::string json_choice(const Choice& end) const {
-        if (!end)
-            return fmt::format("{{\"refused\":[{},{}]}}", json_string(refusal_text(end, 1)),
-                               json_string(refusal_text(end, 2)));
-        const ChainPosition position = standing(end->rotary);
-        return fmt::format(
-            "{{\"configuration\":{},\"axes\":{},\"mode\":\"{}\",\"long\":{},\"pole_switch\":{},"
-            "\"sum_squares\":{},\"reason\":{},\"outside\":{}}}",
-            end->configuration, json_axes(position),
-            end->mode == machine::PathMode::Vector ? "vector" : "axis", end->is_long,
-            end->switches_at_pole,
-            format_shortest(round_to(end->sum_squares * std::pow(deg_from_rad(1), 2), 6)),
-            json_string(reason_text(*end)), json_outside(position));
+    std::string backward_json(const machine::Solutions& solutions,
+                              const std::vector<ChainPosition>& positions,
+                              const Choice& end) const {
+        std::string out;
+        JsonWriter json(out);
+        json.object([&] {
+            put_head(json);
+            put_numbers(json.key("tip"), target_);
+            put_numbers(json.key("tool"), query_.rotation * chain_.tool_direction);
+            json.key("solutions").array([&] {
+                for (std::size_t i = 0; i < positions.size(); ++i)
+                    put_solution(json, solutions[i], positions[i]);
+            });
+            put_choice(json, end);
+        });
+        json.end_line();
+        return out;
+    }
+
+    void put_solution(JsonWriter& json, const machine::Solution& solution,
+                      const ChainPosition& position) const {
+        json.object([&] {
+            json.key("configuration").value(solution.configuration);
+            put_axes(json, position);
+            json.key("pole").value(solution.is_pole);
+            json.key("equator").value(solution.is_equator);
+            put_outside(json, position);
+        });
+    }
+
+    void put_choice(JsonWriter& json, const Choice& end) const {
+        json.key("choice").object([&] {
+            if (end) return put_end(json, *end);
+            json.key("refused").array(
+                [&] { json.value(refusal_text(end, 1)).value(refusal_text(end, 2)); });
+        });
+    }
+
+    void put_end(JsonWriter& json, const machine::PathEnd& end) const {
+        const ChainPosition position = standing(end.rotary);
+        json.key("configuration").value(end.configuration);
+        put_axes(json, position);
+        json.key("mode").value(end.mode == machine::PathMode::Vector ? "vector" : "axis");
+        json.key("long").value(end.is_long);
+        json.key("pole_switch").value(end.switches_at_pole);
+        json.key("sum_squares").rounded(end.sum_squares * std::pow(deg_from_rad(1), 2), 6);
+        json.key("reason").value(reason_text(end));
+        put_outside(json, position);
     }
 
     void report_reach(machine::ReachFault fault, const Vec3& direction) {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "base/diagnostics/page.h"
-#include "base/render.h"
+#include "base/json_writer.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "driver/base64.h"
@@ -28,13 +28,8 @@ constexpr std::size_t kBlockColumns = 6;  // of four bytes; and the time, of eig
 /// Bytes of a row as they stand in a page.
 constexpr std::size_t as_text(std::size_t bytes) { return (bytes * 4 + 2) / 3; }
 
-/// A number for JSON, which has no infinite ones.
-std::string number(double value) {
-    return std::isfinite(value) ? fmt::format("{}", value) : std::string("null");
-}
-
-std::string vector_text(const path::Vec3& v) {
-    return fmt::format("[{},{},{}]", number(v.x()), number(v.y()), number(v.z()));
+void put_vector(JsonWriter& json, const path::Vec3& v) {
+    json.array([&] { json.general(v.x()).general(v.y()).general(v.z()); });
 }
 
 const char* kind_name(motion::SegmentKind kind) {
@@ -66,9 +61,11 @@ class QuantizedColumn {
         for (const double value : values)
             numbers_.push_back(static_cast<std::int32_t>(std::lround(value / unit_)));
     }
-    std::string json() const {
-        return fmt::format("{{\"unit\":{},\"data\":\"{}\"}}", number(unit_),
-                           base64_of(std::span<const std::int32_t>(numbers_)));
+    void put(JsonWriter& json) const {
+        json.object([&] {
+            json.key("unit").general(unit_);
+            json.key("data").value(base64_of(std::span<const std::int32_t>(numbers_)));
+        });
     }
 
   private:
@@ -77,126 +74,155 @@ class QuantizedColumn {
 };
 
 template <typename Row, typename Take>
-std::string column_of(const std::vector<Row>& rows, double least, const Take& take) {
+void put_column(JsonWriter& json, const std::vector<Row>& rows, double least, const Take& take) {
     std::vector<double> values;
     values.reserve(rows.size());
     for (const Row& row : rows) values.push_back(take(row));
-    return QuantizedColumn(values, least).json();
+    QuantizedColumn(values, least).put(json);
 }
 
-std::string axis_json(const machine::MachineAxis& axis) {
+void put_axis(JsonWriter& json, const machine::MachineAxis& axis) {
     const double factor = axis.is_rotary ? deg_from_rad(1) : 1;
-    return fmt::format(R"({{"name":{},"letter":"{}","rotary":{},"lower":{},"upper":{},"home":{}}})",
-                       json_string(axis.name), kAxisNames[index(axis.axis)], axis.is_rotary,
-                       number(factor * axis.lower), number(factor * axis.upper),
-                       number(factor * axis.home));
+    json.object([&] {
+        json.key("name").value(axis.name);
+        json.key("letter").value(kAxisNames[index(axis.axis)]);
+        json.key("rotary").value(axis.is_rotary);
+        json.key("lower").general(factor * axis.lower);
+        json.key("upper").general(factor * axis.upper);
+        json.key("home").general(factor * axis.home);
+    });
 }
 
-std::string chain_json(const machine::Kinematics& kinematics) {
-    const machine::Chain& chain = kinematics.chain;
+void put_joint(JsonWriter& json, const char* role, const machine::RotaryJoint& joint) {
+    json.object([&] {
+        json.key("role").value(role);
+        json.key("letter").value(kAxisNames[index(joint.axis)]);
+        json.key("side").value(joint.side == machine::ChainSide::Table ? "table" : "head");
+        put_vector(json.key("direction"), joint.direction);
+        put_vector(json.key("point"), joint.point);
+        json.key("sign").general(joint.sign);
+    });
+}
+
+void put_chain(JsonWriter& json, const machine::Kinematics& kinematics) {
     constexpr const char* kRoles[] = {"R1", "R2", "spin"};
-    std::string joints;
-    for (std::size_t k = 0; k < machine::kJoints; ++k) {
-        const machine::RotaryJoint& joint = chain.joints[k];
-        if (!joint.is_present) continue;
-        put(joints,
-            R"({}{{"role":"{}","letter":"{}","side":"{}","direction":{},"point":{},"sign":{}}})",
-            joints.empty() ? "" : ",", kRoles[k], kAxisNames[index(joint.axis)],
-            joint.side == machine::ChainSide::Table ? "table" : "head",
-            vector_text(joint.direction), vector_text(joint.point), joint.sign);
-    }
-    return fmt::format(
-        R"({{"toolDirection":{},"compensatesParallel":{},"poleTolerance":{},"joints":[{}]}})",
-        vector_text(chain.tool_direction), chain.compensates_parallel,
-        number(deg_from_rad(kinematics.pole_tolerance)), joints);
-}
-
-std::string machine_json(const machine::Machine& machine) {
-    std::string axes;
-    for (const machine::MachineAxis& axis : machine.axes)
-        axes += (axes.empty() ? "" : ",") + axis_json(axis);
-    return fmt::format(R"({{"name":{},"title":{},"lathe":{},"axes":[{}],"chain":{}}})",
-                       json_string(machine.name), json_string(machine.title), machine.is_lathe,
-                       axes,
-                       machine.kinematics ? chain_json(*machine.kinematics) : std::string("null"));
-}
-
-/// The tools as they hang at the spindle; names and radii of those that the machine file has with
-/// this length: of a tool the motion knows no more.
-std::string tools_json(const PageTrace& trace) {
-    constexpr double kSameLength = 1e-6;  // mm
-    std::string tools;
-    for (const path::Vec3& offset : trace.tools()) {
-        const auto& known = trace.machine().tools;
-        const auto tool = std::ranges::find_if(known, [&](const machine::ToolData& data) {
-            return std::abs(data.length - offset.norm()) < kSameLength;
+    const machine::Chain& chain = kinematics.chain;
+    json.object([&] {
+        put_vector(json.key("toolDirection"), chain.tool_direction);
+        json.key("compensatesParallel").value(chain.compensates_parallel);
+        json.key("poleTolerance").general(deg_from_rad(kinematics.pole_tolerance));
+        json.key("joints").array([&] {
+            for (std::size_t k = 0; k < machine::kJoints; ++k) {
+                if (chain.joints[k].is_present) put_joint(json, kRoles[k], chain.joints[k]);
+            }
         });
-        const bool is_known = tool != known.end();
-        const machine::ToolData* const named =
-            is_known ? trace.machine().find_tool(tool->number) : nullptr;
-        put(tools, R"({}{{"offset":{},"radius":{},"name":{}}})", tools.empty() ? "" : ",",
-            vector_text(offset), is_known ? number(tool->radius) : "null",
-            json_string(named == nullptr ? std::string() : named->name));
-    }
-    return tools;
+    });
 }
 
-std::string samples_json(const PageTrace& trace) {
+void put_machine(JsonWriter& json, const machine::Machine& machine) {
+    json.object([&] {
+        json.key("name").value(machine.name);
+        json.key("title").value(machine.title);
+        json.key("lathe").value(machine.is_lathe);
+        json.key("axes").array([&] {
+            for (const machine::MachineAxis& axis : machine.axes) put_axis(json, axis);
+        });
+        json.key("chain");
+        if (machine.kinematics) put_chain(json, *machine.kinematics);
+        else json.null();
+    });
+}
+
+/// A tool as it hangs at the spindle; name and radius of one that the machine file has with this
+/// length: of a tool the motion knows no more.
+void put_tool(JsonWriter& json, const machine::Machine& machine, const path::Vec3& offset) {
+    constexpr double kSameLength = 1e-6;  // mm
+    const auto tool = std::ranges::find_if(machine.tools, [&](const machine::ToolData& data) {
+        return std::abs(data.length - offset.norm()) < kSameLength;
+    });
+    const bool is_known = tool != machine.tools.end();
+    const machine::ToolData* const named = is_known ? machine.find_tool(tool->number) : nullptr;
+    json.object([&] {
+        put_vector(json.key("offset"), offset);
+        json.key("radius");
+        if (is_known) json.general(tool->radius);
+        else json.null();
+        json.key("name").value(named == nullptr ? std::string() : named->name);
+    });
+}
+
+void put_samples(JsonWriter& json, const PageTrace& trace) {
     constexpr double kTimeUnit = 1e-6;  // s
     constexpr double kUnit = 1e-5;      // mm or deg
     constexpr double kFeedUnit = 1e-3;  // mm/min
     using Sample = PageTrace::Sample;
     const std::vector<Sample>& samples = trace.samples();
-    std::string axes;
-    for (std::size_t i = 0; i < trace.machine().axes.size(); ++i) {
-        axes += (axes.empty() ? "" : ",") +
-                column_of(samples, kUnit, [i](const Sample& s) { return s.axis[i]; });
-    }
-    return fmt::format(R"({{"count":{},"tolerance":{},"time":{},"feed":{},"axes":[{}]}})",
-                       samples.size(), number(trace.tolerance()),
-                       column_of(samples, kTimeUnit, [](const Sample& s) { return s.time; }),
-                       column_of(samples, kFeedUnit, [](const Sample& s) { return s.feed; }), axes);
+    const auto put = [&](double unit, const auto& take) { put_column(json, samples, unit, take); };
+    json.object([&] {
+        json.key("count").value(samples.size());
+        json.key("tolerance").general(trace.tolerance());
+        json.key("time");
+        put(kTimeUnit, [](const Sample& s) { return s.time; });
+        json.key("feed");
+        put(kFeedUnit, [](const Sample& s) { return s.feed; });
+        json.key("axes").array([&] {
+            for (std::size_t i = 0; i < trace.machine().axes.size(); ++i)
+                put(kUnit, [i](const Sample& s) { return s.axis[i]; });
+        });
+    });
 }
 
-std::string blocks_json(const PageTrace& trace) {
+void put_blocks(JsonWriter& json, const PageTrace& trace) {
     const std::vector<PageBlock>& blocks = trace.blocks();
-    const auto column = [&](const auto& take) { return column_of(blocks, 1, take); };
-    std::string kinds;
-    for (int i = 0; i < kKinds; ++i) {
-        put(kinds, "{}\"{}\"", i > 0 ? "," : "", kind_name(static_cast<motion::SegmentKind>(i)));
-    }
-    return fmt::format(
-        R"({{"count":{},"kinds":[{}],"time":{},"kind":{},"tool":{},"isoText":{},"isoLine":{},)"
-        R"("sourceText":{},"sourceLine":{}}})",
-        blocks.size(), kinds, column_of(blocks, 1e-6, [](const PageBlock& b) { return b.time; }),
-        column([](const PageBlock& b) { return static_cast<double>(b.kind); }),
-        column([](const PageBlock& b) { return double(b.tool); }),
-        column([](const PageBlock& b) { return double(b.iso.text); }),
-        column([](const PageBlock& b) { return double(b.iso.line); }),
-        column([](const PageBlock& b) { return double(b.source.text); }),
-        column([](const PageBlock& b) { return double(b.source.line); }));
+    const auto put = [&](JsonName name, const auto& take) {
+        put_column(json.key(name), blocks, 1, take);
+    };
+    json.object([&] {
+        json.key("count").value(blocks.size());
+        json.key("kinds").array([&] {
+            for (int i = 0; i < kKinds; ++i)
+                json.value(kind_name(static_cast<motion::SegmentKind>(i)));
+        });
+        put_column(json.key("time"), blocks, 1e-6, [](const PageBlock& b) { return b.time; });
+        put("kind", [](const PageBlock& b) { return static_cast<double>(b.kind); });
+        put("tool", [](const PageBlock& b) { return double(b.tool); });
+        put("isoText", [](const PageBlock& b) { return double(b.iso.text); });
+        put("isoLine", [](const PageBlock& b) { return double(b.iso.line); });
+        put("sourceText", [](const PageBlock& b) { return double(b.source.text); });
+        put("sourceLine", [](const PageBlock& b) { return double(b.source.line); });
+    });
 }
 
-std::string texts_json(const PageTexts& texts) {
-    std::string out;
-    for (const PageTexts::Text& text : texts.all()) {
-        put(out, R"({}{{"name":{},"kadr":{},"cut":{},"text":{}}})", out.empty() ? "" : ",",
-            json_string(text.name), text.is_kadr, text.is_cut, json_string(text.text));
-    }
-    return out;
+void put_text(JsonWriter& json, const PageTexts::Text& text) {
+    json.object([&] {
+        json.key("name").value(text.name);
+        json.key("kadr").value(text.is_kadr);
+        json.key("cut").value(text.is_cut);
+        json.key("text").value(text.text);
+    });
 }
 
-/// JSON inside of a `<script>`: whatever stands in the texts of a program, no `</script>` and no
-/// `<!--` may end or change the element before its end (HTML Living Standard, "Restrictions for
-/// contents of script elements"). `<` stands in JSON only within strings, where it may be escaped.
-std::string inside_script(const std::string& json) {
-    std::string out;
-    out.reserve(json.size() + json.size() / 64);
-    for (const char c : json) {
-        if (c == '<') out += "\\u003c";
-        else out += c;
-    }
-    return out;
+/// What the page shows. Whatever stands in the texts of a program, no `</script>` and no `<!--` may
+/// end or change the element before its end (HTML Living Standard, "Restrictions for contents of
+/// script elements").
+void append_data(std::string& out, const PageHead& head, const PageTrace& trace,
+                 const PageTexts& texts) {
+    JsonWriter json(out, JsonStyle::Script);
+    json.object([&] {
+        json.key("version").value(1);
+        json.key("title").value(head.title);
+        json.key("subtitle").value(head.subtitle);
+        json.key("warning").value(head.warning);
+        put_machine(json.key("machine"), trace.machine());
+        json.key("tools").array([&] {
+            for (const path::Vec3& offset : trace.tools()) put_tool(json, trace.machine(), offset);
+        });
+        put_samples(json.key("samples"), trace);
+        put_blocks(json.key("blocks"), trace);
+        json.key("texts").array([&] {
+            for (const PageTexts::Text& text : texts.all()) put_text(json, text);
+        });
+    });
 }
 
 }  // namespace
@@ -250,19 +276,13 @@ std::optional<std::string> page_template(Session& session) {
 
 std::string page_html(std::string_view page, const PageHead& head, const PageTrace& trace,
                       const PageTexts& texts) {
-    const std::string data = fmt::format(
-        R"({{"version":1,"title":{},"subtitle":{},"warning":{},"machine":{},"tools":[{}],)"
-        R"("samples":{},"blocks":{},"texts":[{}]}})",
-        json_string(head.title), json_string(head.subtitle), json_string(head.warning),
-        machine_json(trace.machine()), tools_json(trace), samples_json(trace), blocks_json(trace),
-        texts_json(texts));
     const std::size_t title_at = page.find(kTitlePlace);
     const std::size_t data_at = page.find(kDataPlace, title_at);
     const std::size_t behind_title = title_at + kTitlePlace.size();
     std::string out(page.substr(0, title_at));
     out += escaped(head.title);
     out += page.substr(behind_title, data_at - behind_title);
-    out += inside_script(data);
+    append_data(out, head, trace, texts);
     out += page.substr(data_at + kDataPlace.size());
     return out;
 }

@@ -1,55 +1,50 @@
 #include "driver/source_map.h"
 
-#include "base/render.h"
-
 namespace kadr::driver {
 
 namespace {
 
-void append_number(std::string& out, const char* name, std::uint64_t value) {
-    out += ",\"";
-    out += name;
-    out += "\":";
-    out += std::to_string(value);
+void put_start(JsonWriter& json, const Session& session, const SourceRange& range) {
+    const LineColumn at = session.sources().locate(range.file, range.begin);
+    json.key("file").value(session.output_name(range.file));
+    json.key("line").value(at.line);
+    json.key("column").value(at.column);
 }
 
-void append_start(std::string& out, const Session& session, const SourceRange& range) {
-    const LineColumn at = session.sources().locate(range.file, range.begin);
-    out += ",\"file\":" + json_string(session.output_name(range.file));
-    append_number(out, "line", at.line);
-    append_number(out, "column", at.column);
+void put_statement(JsonWriter& json, const Session& session, const SourceRange& statement) {
+    if (!statement.file.is_valid()) return;
+    put_start(json, session, statement);
+    const LineColumn end = session.sources().locate(statement.file, statement.end);
+    json.key("end_line").value(end.line);
+    json.key("end_column").value(end.column);
 }
 
 }  // namespace
 
-void append_calls(std::string& out, const expand::BlockOrigin& trace, const Session& session) {
-    out += ",\"calls\":[";
-    for (const expand::SourceCall& call : trace.calls) {
-        if (&call != &trace.calls.front()) out += ',';
-        out += "{\"function\":" + json_string(call.function);
-        if (call.range.file.is_valid()) append_start(out, session, call.range);
-        out += '}';
-    }
-    out += ']';
+void put_calls(JsonWriter& json, const expand::BlockOrigin& trace, const Session& session) {
+    json.key("calls").array([&] {
+        for (const expand::SourceCall& call : trace.calls) {
+            json.object([&] {
+                json.key("function").value(call.function);
+                if (call.range.file.is_valid()) put_start(json, session, call.range);
+            });
+        }
+    });
 }
 
 void append_map_entry(std::string& out, LineSpan lines, const expand::BlockOrigin& trace,
                       const Session& session) {
-    out += "{\"iso\":" + std::to_string(lines.first);
-    append_number(out, "lines", lines.count);
-    if (trace.statement.file.is_valid()) {
-        append_start(out, session, trace.statement);
-        const LineColumn end = session.sources().locate(trace.statement.file, trace.statement.end);
-        append_number(out, "end_line", end.line);
-        append_number(out, "end_column", end.column);
-    }
-    append_calls(out, trace, session);
-    out += ",\"loops\":[";
-    for (std::size_t i = 0; i < trace.loop_counts.size(); ++i) {
-        if (i > 0) out += ',';
-        out += std::to_string(trace.loop_counts[i]);
-    }
-    out += "]}\n";
+    JsonWriter json(out);
+    json.object([&] {
+        json.key("iso").value(lines.first);
+        json.key("lines").value(lines.count);
+        put_statement(json, session, trace.statement);
+        put_calls(json, trace, session);
+        json.key("loops").array([&] {
+            for (const auto count : trace.loop_counts) json.value(count);
+        });
+    });
+    json.end_line();
 }
 
 }  // namespace kadr::driver

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "base/json_writer.h"
 #include "driver/session.h"
 #include "expand/expander.h"
 
@@ -15,8 +16,9 @@ struct LineSpan {
     std::uint32_t count = 1;
 };
 
-/// Appends `,"calls":[{"function":"f","file":"a.kadr","line":50,"column":3}]`, the outermost first.
-void append_calls(std::string& out, const expand::BlockOrigin& trace, const Session& session);
+/// The member `"calls":[{"function":"f","file":"a.kadr","line":50,"column":3}]`, the outermost
+/// first.
+void put_calls(JsonWriter& json, const expand::BlockOrigin& trace, const Session& session);
 
 /// Appends one object and a line end:
 /// `{"iso":12,"lines":1,"file":"a.kadr","line":34,"column":5,"end_line":34,"end_column":20,

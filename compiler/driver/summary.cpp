@@ -9,9 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "base/numbers.h"
+#include "base/json_writer.h"
 #include "base/printable.h"
-#include "base/render.h"
 #include "base/units.h"
 
 namespace kadr::driver {
@@ -28,37 +27,28 @@ double shown(const machine::MachineAxis& axis, double value) {
     return axis.is_rotary ? deg_from_rad(value) : value;
 }
 
-std::string json_number(double value) {
-    return std::isfinite(value) ? format_shortest(round_to(value, 9)) : "null";
-}
-
-void put_member(std::string& out, std::string_view name, double value) {
-    out += ",\"" + std::string(name) + "\":" + json_number(value);
-}
+void put_member(JsonWriter& json, JsonName name, double value) { json.key(name).rounded(value, 9); }
 
 using AxisFigures = std::array<double, kAxes>;
 
-void put_axes(std::string& out, std::string_view name, const machine::Machine& machine,
+void put_axes(JsonWriter& json, JsonName name, const machine::Machine& machine,
               const AxisFigures& values) {
-    out += ",\"" + std::string(name) + "\":{";
-    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-        if (i > 0) out += ',';
-        out += json_string(machine.axes[i].name) + ':' +
-               json_number(shown(machine.axes[i], values[i]));
-    }
-    out += '}';
+    json.key(name).object([&] {
+        for (std::size_t i = 0; i < machine.axes.size(); ++i)
+            json.key_of(machine.axes[i].name).rounded(shown(machine.axes[i], values[i]), 9);
+    });
 }
 
-void put_travel(std::string& out, const machine::Machine& machine, const motion::Totals& totals) {
-    out += ",\"travel\":{";
-    for (std::size_t i = 0; i < machine.axes.size(); ++i) {
-        const machine::MachineAxis& axis = machine.axes[i];
-        if (i > 0) out += ',';
-        out += json_string(axis.name) +
-               ":{\"min\":" + json_number(shown(axis, totals.travel_min[i])) +
-               ",\"max\":" + json_number(shown(axis, totals.travel_max[i])) + '}';
-    }
-    out += '}';
+void put_travel(JsonWriter& json, const machine::Machine& machine, const motion::Totals& totals) {
+    json.key("travel").object([&] {
+        for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+            const machine::MachineAxis& axis = machine.axes[i];
+            json.key_of(axis.name).object([&] {
+                put_member(json, "min", shown(axis, totals.travel_min[i]));
+                put_member(json, "max", shown(axis, totals.travel_max[i]));
+            });
+        }
+    });
 }
 
 /// `label   value`, the values in one column.
@@ -95,17 +85,18 @@ void put_scan(std::string& out, const process::ScanFigures& scan) {
     if (scan.pulses > 0) put_row(out, "beam pulses", fmt::format("{}", scan.pulses));
 }
 
-void put_scan_members(std::string& out, const process::ScanFigures& scan) {
-    out += ",\"scanner\":{\"lists\":" + std::to_string(scan.lists);
-    out += ",\"marks\":" + std::to_string(scan.marks);
-    out += ",\"jumps\":" + std::to_string(scan.jumps);
-    out += ",\"pulses\":" + std::to_string(scan.pulses);
-    put_member(out, "time_s", scan.time);
-    put_member(out, "mark_s", scan.mark_time);
-    put_member(out, "jump_s", scan.jump_time);
-    put_member(out, "mark_length_mm", scan.mark_length);
-    put_member(out, "jump_length_mm", scan.jump_length);
-    out += '}';
+void put_scan(JsonWriter& json, const process::ScanFigures& scan) {
+    json.key("scanner").object([&] {
+        json.key("lists").value(scan.lists);
+        json.key("marks").value(scan.marks);
+        json.key("jumps").value(scan.jumps);
+        json.key("pulses").value(scan.pulses);
+        put_member(json, "time_s", scan.time);
+        put_member(json, "mark_s", scan.mark_time);
+        put_member(json, "jump_s", scan.jump_time);
+        put_member(json, "mark_length_mm", scan.mark_length);
+        put_member(json, "jump_length_mm", scan.jump_length);
+    });
 }
 
 void put_row_of_work(std::string& out, std::string_view name, const WorkShare& share) {
@@ -140,32 +131,52 @@ void put_longest(std::string& out, const std::vector<LocationShare>& longest, do
     }
 }
 
-void put_share(std::string& out, const WorkShare& share) {
-    put_member(out, "time_s", share.time);
-    put_member(out, "cutting_s", share.cutting_time);
-    put_member(out, "length_mm", share.length);
-    out += '}';
+void put_share(JsonWriter& json, const WorkShare& share) {
+    put_member(json, "time_s", share.time);
+    put_member(json, "cutting_s", share.cutting_time);
+    put_member(json, "length_mm", share.length);
 }
 
-void put_work(std::string& out, const RunFigures& figures) {
-    out += ",\"tools\":[";
-    for (std::size_t i = 0; i < figures.tools.size(); ++i) {
-        out += (i > 0 ? ",{\"tool\":" : "{\"tool\":") + std::to_string(figures.tools[i].tool);
-        put_share(out, figures.tools[i].share);
-    }
-    out += "],\"cycles\":[";
-    for (std::size_t i = 0; i < figures.cycles.size(); ++i) {
-        out += (i > 0 ? ",{\"cycle\":" : "{\"cycle\":") + json_string(figures.cycles[i].cycle);
-        put_share(out, figures.cycles[i].share);
-    }
-    out += "],\"longest\":[";
-    for (std::size_t i = 0; i < figures.longest.size(); ++i) {
-        const LocationShare& row = figures.longest[i];
-        out += (i > 0 ? ",{\"at\":" : "{\"at\":") + json_string(row.place);
-        if (!row.text.empty()) out += ",\"text\":" + json_string(row.text);
-        put_share(out, row.share);
-    }
-    out += ']';
+void put_work(JsonWriter& json, const RunFigures& figures) {
+    const auto put_tool = [&](const ToolShare& tool) {
+        json.object([&] {
+            json.key("tool").value(tool.tool);
+            put_share(json, tool.share);
+        });
+    };
+    const auto put_cycle = [&](const CycleShare& cycle) {
+        json.object([&] {
+            json.key("cycle").value(cycle.cycle);
+            put_share(json, cycle.share);
+        });
+    };
+    const auto put_location = [&](const LocationShare& location) {
+        json.object([&] {
+            json.key("at").value(location.place);
+            if (!location.text.empty()) json.key("text").value(location.text);
+            put_share(json, location.share);
+        });
+    };
+    json.key("tools").array([&] { std::ranges::for_each(figures.tools, put_tool); });
+    json.key("cycles").array([&] { std::ranges::for_each(figures.cycles, put_cycle); });
+    json.key("longest").array([&] { std::ranges::for_each(figures.longest, put_location); });
+}
+
+void put_counts(JsonWriter& json, const RunFigures& figures) {
+    json.key("blocks").value(figures.blocks);
+    json.key("commands").value(figures.commands);
+    if (figures.setpoints > 0) json.key("setpoints").value(figures.setpoints);
+    if (figures.pulses) json.key("pulses").value(*figures.pulses);
+}
+
+void put_times(JsonWriter& json, const motion::Totals& totals) {
+    put_member(json, "time_s", totals.time);
+    put_member(json, "cutting_s", totals.cutting_time);
+    put_member(json, "rapid_s", totals.rapid_time);
+    put_member(json, "dwell_s", totals.dwell_time);
+    put_member(json, "tool_change_s", totals.tool_change_time);
+    put_member(json, "hold_s", totals.hold_time);
+    put_member(json, "wait_s", totals.wait_time);
 }
 
 std::string counted(std::size_t number, std::string_view noun) {
@@ -232,33 +243,29 @@ std::string summary_text(const RunFigures& figures, const machine::Machine& mach
 
 std::string summary_json(const RunFigures& figures, const machine::Machine& machine) {
     const motion::Totals& totals = figures.totals;
-    std::string out = "{\"source\":" + json_string(figures.source);
-    out += ",\"dialect\":" + json_string(figures.dialect);
-    out += ",\"machine\":" + json_string(machine.name);
-    out += ",\"blocks\":" + std::to_string(figures.blocks);
-    out += ",\"commands\":" + std::to_string(figures.commands);
-    if (figures.setpoints > 0) out += ",\"setpoints\":" + std::to_string(figures.setpoints);
-    if (figures.pulses) out += ",\"pulses\":" + std::to_string(*figures.pulses);
-    put_member(out, "time_s", totals.time);
-    put_member(out, "cutting_s", totals.cutting_time);
-    put_member(out, "rapid_s", totals.rapid_time);
-    put_member(out, "dwell_s", totals.dwell_time);
-    put_member(out, "tool_change_s", totals.tool_change_time);
-    put_member(out, "hold_s", totals.hold_time);
-    put_member(out, "wait_s", totals.wait_time);
-    if (figures.scan) put_scan_members(out, *figures.scan);
-    put_member(out, "length_mm", totals.length);
-    put_member(out, "cutting_length_mm", totals.cutting_length);
-    put_travel(out, machine, totals);
-    put_axes(out, "max_velocity", machine, totals.max_velocity);
-    put_axes(out, "max_acceleration", machine, totals.max_acceleration);
-    put_axes(out, "max_jerk", machine, totals.max_jerk);
-    put_work(out, figures);
-    out += ",\"alarms\":" + std::to_string(figures.alarms);
-    out += ",\"errors\":" + std::to_string(figures.errors);
-    out += ",\"warnings\":" + std::to_string(figures.warnings);
-    if (!figures.alarm.empty()) out += ",\"ended_by\":" + json_string(figures.alarm);
-    return out + "}\n";
+    std::string out;
+    JsonWriter json(out);
+    json.object([&] {
+        json.key("source").value(figures.source);
+        json.key("dialect").value(figures.dialect);
+        json.key("machine").value(machine.name);
+        put_counts(json, figures);
+        put_times(json, totals);
+        if (figures.scan) put_scan(json, *figures.scan);
+        put_member(json, "length_mm", totals.length);
+        put_member(json, "cutting_length_mm", totals.cutting_length);
+        put_travel(json, machine, totals);
+        put_axes(json, "max_velocity", machine, totals.max_velocity);
+        put_axes(json, "max_acceleration", machine, totals.max_acceleration);
+        put_axes(json, "max_jerk", machine, totals.max_jerk);
+        put_work(json, figures);
+        json.key("alarms").value(figures.alarms);
+        json.key("errors").value(figures.errors);
+        json.key("warnings").value(figures.warnings);
+        if (!figures.alarm.empty()) json.key("ended_by").value(figures.alarm);
+    });
+    json.end_line();
+    return out;
 }
 
 }  // namespace kadr::driver

@@ -10,7 +10,6 @@
 
 #include "base/numbers.h"
 #include "base/printable.h"
-#include "base/render.h"
 #include "base/text.h"
 #include "driver/source_map.h"
 
@@ -21,54 +20,40 @@ namespace {
 constexpr std::size_t kBlockColumns = 34;   // of the table, for the text of a block
 constexpr std::size_t kSourceColumns = 26;  // … for the statement behind it
 
-std::string json_number(double value) {
-    return std::isfinite(value) ? format_shortest(round_to(value, 9)) : "null";
+ModalValue number_value(double value) {
+    if (!std::isfinite(value)) return {};
+    return round_to(value, 9);
 }
 
-std::string count_text(std::int64_t value) { return std::to_string(value); }
-
-std::string_view spindle_word(path::SpindleMode mode) {
+ModalValue word_value(path::SpindleMode mode) {
     switch (mode) {
-        case path::SpindleMode::Stop: return "\"stop\"";
-        case path::SpindleMode::Cw: return "\"cw\"";
-        case path::SpindleMode::Ccw: return "\"ccw\"";
-        case path::SpindleMode::Orient: return "\"orient\"";
+        case path::SpindleMode::Stop: return "stop";
+        case path::SpindleMode::Cw: return "cw";
+        case path::SpindleMode::Ccw: return "ccw";
+        case path::SpindleMode::Orient: return "orient";
     }
-    return "null";
+    return {};
 }
 
-std::string_view coolant_word(path::CoolantMode mode) {
+ModalValue word_value(path::CoolantMode mode) {
     switch (mode) {
-        case path::CoolantMode::Off: return "\"off\"";
-        case path::CoolantMode::Flood: return "\"flood\"";
-        case path::CoolantMode::Mist: return "\"mist\"";
+        case path::CoolantMode::Off: return "off";
+        case path::CoolantMode::Flood: return "flood";
+        case path::CoolantMode::Mist: return "mist";
     }
-    return "null";
+    return {};
 }
 
-/// A JSON value for people: without quotes, and `-` for nothing.
-std::string_view plain(std::string_view json) {
-    if (json == "null") return "-";
-    if (json.size() >= 2 && json.front() == '"') return json.substr(1, json.size() - 2);
-    return json;
+ModalValue word_value(std::string_view word) {
+    if (word.empty()) return {};
+    return std::string(word);
 }
 
-void append_key(std::string& out, std::string_view name) {
-    out += ",\"";
-    out += name;
-    out += "\":";
-}
-
-/// `"name":[before,after]` behind what stands there already.
-void append_change(std::string& out, std::string_view name, std::string_view before,
-                   std::string_view after) {
-    if (!out.empty()) out += ',';
-    out += json_string(name);
-    out += ":[";
-    out += before;
-    out += ',';
-    out += after;
-    out += ']';
+/// A value of a variable for people: without quotes, and `-` for nothing.
+std::string plain(const macro::ControlVariable& variable) {
+    const std::string text = json_text(variable);
+    if (text == "null") return "-";
+    return text.front() == '"' ? text.substr(1, text.size() - 2) : text;
 }
 
 /// Fills up to a width, in characters.
@@ -102,23 +87,25 @@ template <typename Tell>
 void each_modal_change(const std::vector<ModalEntry>& before, const std::vector<ModalEntry>& after,
                        Tell report) {
     for (std::size_t i = 0; i < after.size(); ++i) {
-        std::string_view old = "null";
-        if (i < before.size()) old = before[i].value;
+        const ModalValue old = i < before.size() ? before[i].value : ModalValue();
         if (old != after[i].value) report(after[i], old);
     }
 }
 
-std::string json_code(std::string_view code) { return code.empty() ? "null" : json_string(code); }
+void put_code(JsonWriter& json, std::string_view code) {
+    if (code.empty()) json.null();
+    else json.value(code);
+}
 
 }  // namespace
 
 std::vector<ModalEntry> modal_entries(const interp::Snapshot& now) {
     std::vector<ModalEntry> out = {
-        {"feed", "F", now.feed ? json_number(*now.feed) : "null"},
-        {"speed", "S", json_number(now.speed)},
-        {"spindle", "spindle", std::string(spindle_word(now.spindle))},
-        {"tool", "tool", count_text(now.tool)},
-        {"selected_tool", "T", count_text(now.selected_tool)},
+        {"feed", "F", now.feed ? number_value(*now.feed) : ModalValue()},
+        {"speed", "S", number_value(now.speed)},
+        {"spindle", "spindle", word_value(now.spindle)},
+        {"tool", "tool", now.tool},
+        {"selected_tool", "T", now.selected_tool},
     };
     // Of machines with several spindles: all of them by their numbers.
     struct Names {
@@ -132,87 +119,123 @@ std::vector<ModalEntry> modal_entries(const interp::Snapshot& now) {
          {"spindle_2", "spindle 2", "speed_2", "S2"},
          {"spindle_3", "spindle 3", "speed_3", "S3"},
          {"spindle_4", "spindle 4", "speed_4", "S4"}}};
-    if (now.master_spindle != 0)
-        out.push_back({"master_spindle", "master", count_text(now.master_spindle)});
+    if (now.master_spindle != 0) out.push_back({"master_spindle", "master", now.master_spindle});
     for (const auto& spindle : now.spindles) {
         const Names& names = kNames.at(static_cast<std::size_t>(spindle.number) - 1);
-        out.push_back({names.mode, names.mode_label, std::string(spindle_word(spindle.mode))});
-        out.push_back({names.speed, names.speed_label, json_number(spindle.speed)});
+        out.push_back({names.mode, names.mode_label, word_value(spindle.mode)});
+        out.push_back({names.speed, names.speed_label, number_value(spindle.speed)});
     }
     // Where D calls an edge of the tool there are no numbers of offsets.
     if (now.edge) {
-        out.push_back({"edge", "D", count_text(*now.edge)});
+        out.push_back({"edge", "D", *now.edge});
     } else {
-        out.push_back({"length_offset", "H", count_text(now.length_offset)});
-        out.push_back({"radius_offset", "D", count_text(now.radius_offset)});
+        out.push_back({"length_offset", "H", now.length_offset});
+        out.push_back({"radius_offset", "D", now.radius_offset});
     }
-    const ModalEntry rest[] = {
-        {"tool_length", "length", json_number(now.tool_length)},
-        {"work_offset", "offset", count_text(now.work_offset)},
-        {"coolant", "coolant", std::string(coolant_word(now.coolant))},
-        {"cycle", "cycle", now.cycle.empty() ? "null" : json_string(now.cycle)}};
+    const ModalEntry rest[] = {{"tool_length", "length", number_value(now.tool_length)},
+                               {"work_offset", "offset", now.work_offset},
+                               {"coolant", "coolant", word_value(now.coolant)},
+                               {"cycle", "cycle", word_value(now.cycle)}};
     out.insert(out.end(), std::begin(rest), std::end(rest));
     return out;
 }
 
-std::string json_value(const macro::ControlVariable& variable) {
+std::string modal_text(const ModalValue& value, std::string_view nothing) {
+    struct Shown {
+        std::string_view nothing;
+        std::string operator()(std::monostate) const { return std::string(nothing); }
+        std::string operator()(double number) const { return format_shortest(number); }
+        std::string operator()(std::int64_t count) const { return std::to_string(count); }
+        std::string operator()(const std::string& word) const { return word; }
+    };
+    return std::visit(Shown{nothing}, value);
+}
+
+std::string json_text(const macro::ControlVariable& variable) {
+    std::string text;
+    JsonWriter json(text);
+    put_value(json, variable);
+    return text;
+}
+
+void put_value(JsonWriter& json, const ModalValue& value) {
+    struct Put {
+        JsonWriter& json;
+        void operator()(std::monostate) const { json.null(); }
+        void operator()(double number) const { json.number(number); }
+        void operator()(std::int64_t count) const { json.value(count); }
+        void operator()(const std::string& word) const { json.value(word); }
+    };
+    std::visit(Put{json}, value);
+}
+
+void put_value(JsonWriter& json, const macro::ControlVariable& variable) {
     using Kind = macro::ControlVariable::Kind;
     switch (variable.kind) {
-        case Kind::Vacant: return "null";
-        case Kind::Text: return json_string(variable.text);
-        case Kind::Bool: return variable.number != 0 ? "true" : "false";
+        case Kind::Vacant: json.null(); return;
+        case Kind::Text: json.value(variable.text); return;
+        case Kind::Bool: json.value(variable.number != 0); return;
         case Kind::Int:
         case Kind::Real: break;
     }
-    return std::isfinite(variable.number) ? format_shortest(variable.number) : "null";
+    json.number(variable.number);
 }
 
-std::string json_axes(AxisMask axes, const AxisValues& values) {
-    std::string out = "{";
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        if ((axes >> i & 1u) == 0) continue;
-        if (out.size() > 1) out += ',';
-        out += '"';
-        out += kAxisNames[i];
-        out += "\":" + json_number(values[i]);
-    }
-    return out + '}';
+void put_axis_values(JsonWriter& json, AxisMask axes, const AxisValues& values) {
+    json.object([&] {
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            if ((axes >> i & 1u) != 0) json.key_of(kAxisNames[i]).rounded(values[i], 9);
+        }
+    });
 }
 
 // ---------------------------------------------------------------- JSON Lines
 
+/// Which block it is, and where it stands.
+void Trace::put_step(JsonWriter& json, const TraceStep& step) const {
+    json.key("block").value(step.block);
+    json.key("file").value(step.file);
+    json.key("line").value(step.line);
+    if (step.number >= 0) json.key("number").value(step.number);
+    if (!step.program.empty()) json.key("program").value(step.program);
+    if (step.level > 0) json.key("level").value(step.level);
+    json.key("text").value(step.text);
+    if (step.statement.file.is_valid()) json.key("src").value(session_.source_name(step.statement));
+    if (step.has_calls) put_calls(json, step.calls, session_);
+}
+
 void Trace::append_json(const TraceStep& step, const TraceState& state, std::string& out) const {
-    out += "{\"block\":" + std::to_string(step.block);
-    out += ",\"file\":" + json_string(step.file);
-    out += ",\"line\":" + std::to_string(step.line);
-    if (step.number >= 0) out += ",\"number\":" + std::to_string(step.number);
-    if (!step.program.empty()) out += ",\"program\":" + json_string(step.program);
-    if (step.level > 0) out += ",\"level\":" + std::to_string(step.level);
-    out += ",\"text\":" + json_string(step.text);
-    if (step.statement.file.is_valid())
-        out += ",\"src\":" + json_string(session_.source_name(step.statement));
-    if (step.has_calls) append_calls(out, step.calls, session_);
-    std::string members;
-    for (const macro::VariableChange& change : step.variables) {
-        append_change(members, change.after.name, json_value(change.before),
-                      json_value(change.after));
-    }
-    append_key(out, "variables");
-    out += '{' + std::exchange(members, {}) + '}';
-    each_code_change(before_.codes, state.codes, [&](auto group, auto before, auto after) {
-        append_change(members, group, json_code(before), json_code(after));
+    JsonWriter json(out);
+    // `"name":[before,after]`
+    const auto put_variable = [&](const macro::VariableChange& change) {
+        json.key_of(change.after.name).array([&] {
+            put_value(json, change.before);
+            put_value(json, change.after);
+        });
+    };
+    const auto put_group = [&](auto group, auto before, auto after) {
+        json.key_of(group).array([&] {
+            put_code(json, before);
+            put_code(json, after);
+        });
+    };
+    const auto put_entry = [&](const ModalEntry& entry, const ModalValue& before) {
+        json.key_of(entry.name).array([&] {
+            put_value(json, before);
+            put_value(json, entry.value);
+        });
+    };
+    json.object([&] {
+        put_step(json, step);
+        json.key("variables").object([&] {
+            for (const macro::VariableChange& change : step.variables) put_variable(change);
+        });
+        json.key("codes").object([&] { each_code_change(before_.codes, state.codes, put_group); });
+        json.key("modal").object([&] { each_modal_change(before_.modal, state.modal, put_entry); });
+        put_axis_values(json.key("position"), state.now.axes, state.now.work);
+        put_axis_values(json.key("machine"), state.now.axes, state.now.machine);
     });
-    append_key(out, "codes");
-    out += '{' + std::exchange(members, {}) + '}';
-    each_modal_change(before_.modal, state.modal, [&](const ModalEntry& entry, auto before) {
-        append_change(members, entry.name, before, entry.value);
-    });
-    append_key(out, "modal");
-    out += '{' + members + '}';
-    append_key(out, "position");
-    out += json_axes(state.now.axes, state.now.work);
-    append_key(out, "machine");
-    out += json_axes(state.now.axes, state.now.machine) + "}\n";
+    json.end_line();
 }
 
 // ---------------------------------------------------------------- the table
@@ -246,7 +269,7 @@ std::string Trace::changes(const TraceStep& step, const TraceState& state) const
         out += after;
     };
     for (const macro::VariableChange& change : step.variables) {
-        add(change.after.name, plain(json_value(change.before)), plain(json_value(change.after)));
+        add(change.after.name, plain(change.before), plain(change.after));
     }
     // What the program begins with has come from nowhere.
     const auto begin = [&out](std::string_view name, std::string_view value) {
@@ -259,10 +282,11 @@ std::string Trace::changes(const TraceStep& step, const TraceState& state) const
         if (step.block == 0) return begin({}, after);
         add({}, before.empty() ? "-" : before, after.empty() ? "-" : after);
     });
-    each_modal_change(before_.modal, state.modal, [&](const ModalEntry& entry, auto before) {
-        if (step.block == 0) return begin(entry.label, plain(entry.value));
-        add(entry.label, plain(before), plain(entry.value));
-    });
+    const auto report = [&](const ModalEntry& entry, const ModalValue& before) {
+        if (step.block == 0) return begin(entry.label, modal_text(entry.value, "-"));
+        add(entry.label, modal_text(before, "-"), modal_text(entry.value, "-"));
+    };
+    each_modal_change(before_.modal, state.modal, report);
     return out;
 }
 
@@ -325,7 +349,9 @@ void Trace::append(const TraceStep& step, TraceState state, std::string& out) {
 
 void Trace::append_alarm(std::string_view text, std::string& out) const {
     if (format_ == TraceFormat::Json) {
-        out += "{\"alarm\":" + json_string(text) + "}\n";
+        JsonWriter json(out);
+        json.object([&] { json.key("alarm").value(text); });
+        json.end_line();
     } else {
         out += "# not complete, ended by " + printable(text) + '\n';
     }

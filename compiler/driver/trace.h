@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
+#include "base/json_writer.h"
 #include "driver/session.h"
 #include "expand/expander.h"
 #include "interp/snapshot.h"
@@ -14,11 +16,14 @@
 
 namespace kadr::driver {
 
+/// A number, rounded to nine decimals, a count or a word of the modal state; or nothing.
+using ModalValue = std::variant<std::monostate, double, std::int64_t, std::string>;
+
 /// One entry of the modal state behind a block.
 struct ModalEntry {
     std::string_view name;   // in JSON: `feed`
     std::string_view label;  // in the table: `F`
-    std::string value;       // as JSON has it: `200`, `"cw"`, `null`
+    ModalValue value;
 };
 
 /// Feed, speed, spindle, tools and offsets; always the same entries in the same order.
@@ -46,11 +51,15 @@ struct TraceStep {
     std::vector<macro::VariableChange> variables;  // each once, and only if it has changed
 };
 
-/// A value of a variable as JSON has it; null for one that is vacant.
-std::string json_value(const macro::ControlVariable& variable);
+/// For people: `200`, `cw`; `nothing` if there is none.
+std::string modal_text(const ModalValue& value, std::string_view nothing);
+/// A value of a variable as JSON has it: `2.5`, `"A"`; null for one that is vacant.
+std::string json_text(const macro::ControlVariable& variable);
 
+void put_value(JsonWriter& json, const ModalValue& value);
+void put_value(JsonWriter& json, const macro::ControlVariable& variable);
 /// `{"X":1.5,"Y":0}` of the axes that the machine has.
-std::string json_axes(AxisMask axes, const AxisValues& values);
+void put_axis_values(JsonWriter& json, AxisMask axes, const AxisValues& values);
 
 enum class TraceFormat : std::uint8_t { Table, Json };
 
@@ -67,6 +76,7 @@ class Trace {
     void append_alarm(std::string_view text, std::string& out) const;
 
   private:
+    void put_step(JsonWriter& json, const TraceStep& step) const;
     void append_json(const TraceStep& step, const TraceState& state, std::string& out) const;
     void append_head(AxisMask axes, std::string& out) const;
     void append_row(const TraceStep& step, const TraceState& state, std::string& out) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/json_writer.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "base/unicode.h"
@@ -178,103 +179,79 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
     return out;
 }
 
-std::string json_string(std::string_view text) {
-    static constexpr char kHex[] = "0123456789abcdef";
-    std::string out = "\"";
-    for (std::size_t i = 0; i < text.size();) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        if (c == '"' || c == '\\') {
-            out += '\\';
-            out += static_cast<char>(c);
-            ++i;
-        } else if (c == '\n') {
-            out += "\\n";
-            ++i;
-        } else if (c < 0x20) {
-            out += "\\u00";
-            out += kHex[c >> 4];
-            out += kHex[c & 15];
-            ++i;
-        } else if (c < 0x80) {
-            out += static_cast<char>(c);
-            ++i;
-        } else {
-            const std::size_t length = c >= 0xF0 ? 4 : c >= 0xE0 ? 3 : c >= 0xC2 ? 2 : 0;
-            bool valid = length != 0 && c <= 0xF4 && i + length <= text.size();
-            for (std::size_t k = 1; valid && k < length; ++k) {
-                valid = (static_cast<unsigned char>(text[i + k]) & 0xC0) == 0x80;
-            }
-            out += valid ? text.substr(i, length) : std::string_view("\xEF\xBF\xBD");
-            i += valid ? length : 1;
-        }
-    }
-    return out + '"';
-}
-
 namespace {
 
-void append_end(std::string& out, std::uint32_t line, std::uint32_t column) {
-    out += ",\"end_line\":" + std::to_string(line);
-    out += ",\"end_column\":" + std::to_string(column);
+void put_end(JsonWriter& json, std::uint32_t line, std::uint32_t column) {
+    json.key("end_line").value(line);
+    json.key("end_column").value(column);
 }
 
-void append_begin(std::string& out, const TextLocation& location) {
-    out += "\"file\":" + json_string(location.file);
+void put_begin(JsonWriter& json, const TextLocation& location) {
+    json.key("file").value(location.file);
     if (location.line == 0) return;
-    out += ",\"line\":" + std::to_string(location.line);
-    out += ",\"column\":" + std::to_string(location.column);
+    json.key("line").value(location.line);
+    json.key("column").value(location.column);
 }
 
 /// What is marked: at a location where something is missing, the character behind it.
-void append_position(std::string& out, const std::optional<TextLocation>& line,
-                     const SourceRange& range, const Sources& sources) {
+void put_position(JsonWriter& json, const std::optional<TextLocation>& line,
+                  const SourceRange& range, const Sources& sources) {
     const TextLocation location = line ? *line : resolve(range, sources);
-    append_begin(out, location);
+    put_begin(json, location);
     if (location.line == 0) return;
     if (!line && range.end > range.begin) {
         const LineColumn end = sources.locate(range.file, range.end);
-        append_end(out, end.line, end.column);
+        put_end(json, end.line, end.column);
     } else {
-        append_end(out, location.line, location.column + location.length);
+        put_end(json, location.line, location.column + location.length);
     }
 }
 
 /// What is replaced: of an insertion nothing. A fix in words alone has neither location nor text.
-void append_edit(std::string& out, const Diagnostic::Fix& fix, const Sources& sources) {
+void put_edit(JsonWriter& json, const Diagnostic::Fix& fix, const Sources& sources) {
     if (!fix.range.file.is_valid()) return;
-    append_begin(out, resolve(fix.range, sources));
+    put_begin(json, resolve(fix.range, sources));
     const LineColumn end = sources.locate(fix.range.file, fix.range.end);
-    append_end(out, end.line, end.column);
-    out += ",\"replacement\":" + json_string(fix.replacement) + ',';
+    put_end(json, end.line, end.column);
+    json.key("replacement").value(fix.replacement);
+}
+
+void put_note(JsonWriter& json, const Diagnostic::Note& note, const Sources& sources) {
+    json.object([&] {
+        put_position(json, note.line, note.range, sources);
+        json.key("text").value(shortened(note.text, kMostText));
+    });
+}
+
+void put_fix(JsonWriter& json, const Diagnostic::Fix& fix, const Sources& sources) {
+    json.object([&] {
+        put_edit(json, fix, sources);
+        json.key("text").value(shortened(fix.text, kMostText));
+    });
 }
 
 }  // namespace
 
 std::string render_json(const Diagnostic& diagnostic, const Sources& sources) {
-    std::string out = "{";
-    append_position(out, diagnostic.line, diagnostic.range, sources);
-    out += ",\"severity\":" + json_string(severity_name(diagnostic.severity));
-    out += ",\"code\":" + json_string(diagnostic.row->code);
-    if (!diagnostic.alarm_number.empty()) {
-        out += ",\"alarm\":" + json_string(diagnostic.alarm_number);
-        out += ",\"alarm_text\":" + json_string(diagnostic.alarm_text);
-    }
-    out += ",\"message\":" + json_string(wording_of(diagnostic));
-    out += ",\"notes\":[";
-    for (const Diagnostic::Note& note : diagnostic.notes) {
-        if (&note != &diagnostic.notes.front()) out += ',';
-        out += '{';
-        append_position(out, note.line, note.range, sources);
-        out += ",\"text\":" + json_string(shortened(note.text, kMostText)) + '}';
-    }
-    out += "],\"fixes\":[";
-    for (const Diagnostic::Fix& fix : diagnostic.fixes) {
-        if (&fix != &diagnostic.fixes.front()) out += ',';
-        out += '{';
-        append_edit(out, fix, sources);
-        out += "\"text\":" + json_string(shortened(fix.text, kMostText)) + '}';
-    }
-    return out + "]}";
+    std::string out;
+    JsonWriter json(out);
+    json.object([&] {
+        put_position(json, diagnostic.line, diagnostic.range, sources);
+        json.key("severity").value(severity_name(diagnostic.severity));
+        json.key("code").value(diagnostic.row->code);
+        if (!diagnostic.alarm_number.empty()) {
+            json.key("alarm").value(diagnostic.alarm_number);
+            json.key("alarm_text").value(diagnostic.alarm_text);
+        }
+        json.key("message").value(wording_of(diagnostic));
+        json.key("notes").array([&] {
+            for (const Diagnostic::Note& note : diagnostic.notes) put_note(json, note, sources);
+        });
+        json.key("fixes").array([&] {
+            for (const Diagnostic::Fix& fix : diagnostic.fixes) put_fix(json, fix, sources);
+        });
+    });
+    return out;
 }
 
 }  // namespace kadr

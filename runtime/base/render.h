@@ -21,7 +21,4 @@ std::string render_text(const Diagnostic& diagnostic, const Sources& sources,
 /// its location and `replacement`, one in words `text` alone.
 std::string render_json(const Diagnostic& diagnostic, const Sources& sources);
 
-/// Text as a JSON string, quotes included. Malformed UTF-8 becomes the replacement character.
-std::string json_string(std::string_view text);
-
 }  // namespace kadr

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <span>
+#include <utility>
 
-#include "base/numbers.h"
-#include "base/render.h"
+#include "base/json_writer.h"
 #include "path/frame.h"
 #include "path/op_names.h"
 
@@ -62,262 +61,227 @@ std::string_view coolant_name(CoolantMode mode) {
 /// Directions this close to each other are the same one.
 constexpr double kSamePlane = 1e-9;
 
-/// Nine decimals at most, without trailing zeros: frames leave noise behind them.
-void append_number(std::string& out, double value) {
-    constexpr double kScale = 1e9;
-    constexpr double kQuickLimit = 1e6;  // below it 15 digits hold the value and its decimals
-    if (!(std::abs(value) < kQuickLimit)) {
-        append_shortest(out, round_to(value, 9));
-        return;
-    }
-    const long long scaled = std::llround(value * kScale);
-    if (scaled < 0) out += '-';
-    const auto size = static_cast<unsigned long long>(scaled < 0 ? -scaled : scaled);
-    char digits[24];
-    const auto whole = std::to_chars(digits, digits + sizeof digits, size / 1'000'000'000);
-    out.append(digits, whole.ptr);
-    unsigned long long rest = size % 1'000'000'000;
-    if (rest == 0) return;
-    char decimals[9];
-    for (std::size_t i = 9; i-- > 0; rest /= 10) decimals[i] = static_cast<char>('0' + rest % 10);
-    std::size_t count = 9;
-    while (decimals[count - 1] == '0') --count;
-    out += '.';
-    out.append(decimals, count);
+template <std::size_t... I>
+consteval std::array<JsonName, kAxes> axis_keys(std::index_sequence<I...>) {
+    return {JsonName(kAxisNames[I])...};
 }
+constexpr std::array<JsonName, kAxes> kAxisKeys = axis_keys(std::make_index_sequence<kAxes>());
 
-/// `,"name":` and the value behind it.
-void append_key(std::string& out, std::string_view name) {
-    out += ",\"";
-    out += name;
-    out += "\":";
-}
-void append_field(std::string& out, std::string_view name, double value) {
-    append_key(out, name);
-    append_number(out, value);
-}
-void append_word(std::string& out, std::string_view name, std::string_view word) {
-    append_key(out, name);
-    out += '"';
-    out += word;
-    out += '"';
-}
+void put_field(JsonWriter& json, JsonName name, double value) { json.key(name).coordinate(value); }
 
-void append_text(std::string& out, std::string_view name, std::string_view text) {
-    append_key(out, name);
-    const auto is_plain = [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; };
-    if (std::all_of(text.begin(), text.end(), is_plain)) {  // nearly always; without a copy
-        out += '"';
-        out += text;
-        out += '"';
-    } else {
-        out += json_string(text);
-    }
+void put_numbers(JsonWriter& json, std::span<const double> values) {
+    json.array([&] {
+        for (const double value : values) json.coordinate(value);
+    });
 }
-
-void append_numbers(std::string& out, std::span<const double> values) {
-    char separator = '[';
-    for (const double value : values) {
-        out += separator;
-        append_number(out, value);
-        separator = ',';
-    }
-    out += ']';
+void put_numbers(JsonWriter& json, const path::Vec3& values) {
+    put_numbers(json, std::span<const double>(values.data(), 3));
 }
 
 /// Where the cutter touches from and to, and how: the path of the tip follows from it.
-void append_contact(std::string& out, const path::ContactMotion& motion) {
-    append_key(out, "touches");
-    out += '[';
-    append_numbers(out, {motion.from.data(), 3});
-    out += ',';
-    append_numbers(out, {motion.to.data(), 3});
-    out += ']';
-    append_key(out, "radius");
-    append_number(out, motion.contact.radius);
-    const bool is_face = motion.contact.kind == path::ContactKind::Face;
-    append_key(out, is_face ? "edge" : "depth");
-    append_number(out, motion.contact.depth);
-    if (!is_face) return;
-    const path::Vec3 end = path::guide_at(motion.contact, 1);
-    append_key(out, "normals");
-    out += '[';
-    append_numbers(out, {motion.contact.guide.data(), 3});
-    out += ',';
-    append_numbers(out, {end.data(), 3});
-    out += ']';
+void put_contact(JsonWriter& json, const path::ContactMotion& motion) {
+    json.key("touches").array([&] {
+        put_numbers(json, motion.from);
+        put_numbers(json, motion.to);
+    });
+    put_field(json, "radius", motion.contact.radius);
+    if (motion.contact.kind != path::ContactKind::Face)
+        return put_field(json, "depth", motion.contact.depth);
+    put_field(json, "edge", motion.contact.depth);
+    json.key("normals").array([&] {
+        put_numbers(json, motion.contact.guide);
+        put_numbers(json, path::guide_at(motion.contact, 1));
+    });
 }
 
 /// In which coordinates the position is given.
-void append_virtual(std::string& out, const path::VirtualAxes& axes) {
+void put_virtual(JsonWriter& json, const path::VirtualAxes& axes) {
     switch (axes.kind) {
         case path::VirtualKind::None: return;
-        case path::VirtualKind::Polar: return append_word(out, "on", "face");
+        case path::VirtualKind::Polar: json.key("on").value("face"); return;
         case path::VirtualKind::Cylinder:
-            append_word(out, "on", "cylinder");
-            append_field(out, "radius", axes.size);
+            json.key("on").value("cylinder");
+            put_field(json, "radius", axes.size);
             return;
-        case path::VirtualKind::Inclined: append_word(out, "on", "inclined"); return;
+        case path::VirtualKind::Inclined: json.key("on").value("inclined"); return;
     }
 }
 
-void append_target(std::string& out, const path::Motion& motion, AxisMask axes) {
-    out += ",\"to\":";
-    char separator = '{';
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        const bool is_virtual = motion.virtual_axes().turns() &&
-                                motion.virtual_axes().virtual_axis() == static_cast<Axis>(i);
-        if ((axes >> i & 1u) == 0 && !is_virtual) continue;
-        out += separator;
-        out += '"';
-        out += kAxisNames[i];
-        out += "\":";
-        append_number(out, motion.to[i]);
-        separator = ',';
-    }
-    out += '}';
-    if (motion.machine_coordinates) out += ",\"machine_coordinates\":true";
-    if (motion.virtual_axes().is_on()) return append_virtual(out, motion.virtual_axes());
+/// The end of a motion: the axes that are shown, those that it turns by itself among them.
+void put_end(JsonWriter& json, const path::Motion& motion, AxisMask axes) {
+    if (motion.virtual_axes().turns()) axes |= bit(motion.virtual_axes().virtual_axis());
+    json.key("to").object([&] {
+        for (std::size_t i = 0; i < kAxes; ++i) {
+            if ((axes >> i & 1u) != 0) json.key(kAxisKeys[i]).coordinate(motion.to[i]);
+        }
+    });
+}
+
+void put_target(JsonWriter& json, const path::Motion& motion, AxisMask axes) {
+    put_end(json, motion, axes);
+    if (motion.machine_coordinates) json.key("machine_coordinates").value(true);
+    if (motion.virtual_axes().is_on()) return put_virtual(json, motion.virtual_axes());
     if (motion.orient_kind == path::OrientKind::None) return;
-    append_key(out, "tool");
-    append_numbers(out, {motion.direction.data(), 3});
-    if (motion.orient_kind == path::OrientKind::Straight) out += ",\"point_to_point\":true";
-    if (motion.contact) append_contact(out, *motion.contact);
+    json.key("tool");
+    put_numbers(json, motion.direction);
+    if (motion.orient_kind == path::OrientKind::Straight) json.key("point_to_point").value(true);
+    if (motion.contact) put_contact(json, *motion.contact);
 }
 
 /// The control points between the ends; the weights of all, unless they are all one.
-void append_spline(std::string& out, const path::SplineShape& shape) {
-    append_key(out, "degree");
-    append_number(out, shape.degree);
+void put_spline(JsonWriter& json, const path::SplineShape& shape) {
+    json.key("degree").value(shape.degree);
     const auto count = static_cast<std::size_t>(shape.degree);
-    append_key(out, "poles");
-    out += '[';
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-        if (i > 0) out += ',';
-        append_numbers(out, {shape.inner[i].data(), 3});
-    }
-    out += ']';
+    json.key("poles").array([&] {
+        for (std::size_t i = 0; i + 1 < count; ++i) put_numbers(json, shape.inner[i]);
+    });
     const std::span<const double> weights(shape.weights.data(), count + 1);
     if (std::all_of(weights.begin(), weights.end(), [](double w) { return w == 1; })) return;
-    append_key(out, "weights");
-    append_numbers(out, weights);
+    json.key("weights");
+    put_numbers(json, weights);
 }
 
 /// The kind, what it works with, and the range of its parameter.
-void append_curve(std::string& out, const path::CurveShape& shape) {
-    append_word(out, "kind", shape.kind->name);
-    append_key(out, "numbers");
-    append_numbers(out, shape.law.numbers);
-    append_key(out, "range");
-    const std::array<double, 2> range = {shape.law.from, shape.law.to};
-    append_numbers(out, range);
-    append_key(out, "linear");
-    const path::Vec3 rows[] = {shape.linear.row(0), shape.linear.row(1), shape.linear.row(2)};
-    char separator = '[';
-    for (const path::Vec3& row : rows) {
-        out += separator;
-        append_numbers(out, {row.data(), 3});
-        separator = ',';
-    }
-    out += ']';
+void put_curve(JsonWriter& json, const path::CurveShape& shape) {
+    json.key("kind").value(shape.kind->name);
+    json.key("numbers");
+    put_numbers(json, shape.law.numbers);
+    json.key("range").array([&] { json.coordinate(shape.law.from).coordinate(shape.law.to); });
+    json.key("linear").array([&] {
+        for (Eigen::Index i = 0; i < 3; ++i) put_numbers(json, path::Vec3(shape.linear.row(i)));
+    });
 }
 
 /// Of an arc or an involute where its circle lies, and how it runs about it.
 template <typename Circle>
-void append_circle(std::string& out, const Circle& circle, Plane plane) {
-    append_key(out, "center");
-    append_numbers(out, {circle.center.data(), 3});
-    append_word(out, "plane", plane_name(plane));
-    append_word(out, "dir", circle.is_clockwise ? "cw" : "ccw");
+void put_circle(JsonWriter& json, const Circle& circle, Plane plane) {
+    json.key("center");
+    put_numbers(json, circle.center);
+    json.key("plane").value(plane_name(plane));
+    json.key("dir").value(circle.is_clockwise ? "cw" : "ccw");
     // An arc in space goes counter-clockwise about its normal, whatever the plane.
     const path::Vec3 across = path::unit(path::axes_of(plane).normal);
     if (std::abs(circle.normal.dot(across)) < 1 - kSamePlane) {
-        append_key(out, "normal");
-        append_numbers(out, {circle.normal.data(), 3});
+        json.key("normal");
+        put_numbers(json, circle.normal);
     }
 }
 
-void append_feed(std::string& out, const path::Motion& motion) {
-    append_field(out, "feed", motion.feed);
-    if (motion.feed_mode == FeedMode::PerRevolution) {
-        append_word(out, "feed_mode", "per_revolution");
-    }
-    if (motion.feed_mode == FeedMode::InverseTime) append_word(out, "feed_mode", "inverse_time");
+void put_feed(JsonWriter& json, const path::Motion& motion) {
+    put_field(json, "feed", motion.feed);
+    if (motion.feed_mode == FeedMode::PerRevolution) json.key("feed_mode").value("per_revolution");
+    if (motion.feed_mode == FeedMode::InverseTime) json.key("feed_mode").value("inverse_time");
 }
 
 /// Whether it ends at rest, or how the corner behind it is blended; and within what it may be
 /// joined to its neighbours, in mm.
-void append_ending(std::string& out, const path::Motion& motion) {
-    if (motion.exact_stop) out += ",\"exact_stop\":true";
+void put_ending(JsonWriter& json, const path::Motion& motion) {
+    if (motion.exact_stop) json.key("exact_stop").value(true);
     const path::Blending& blending = motion.blending;
     if (blending.kind != path::BlendKind::None && !motion.exact_stop) {
         const bool by_distance = blending.kind == path::BlendKind::Distance;
-        append_field(out, by_distance ? "blend_distance" : "blend_tolerance", blending.size);
-        if (blending.with_tangents) out += ",\"blend_tangents\":true";
+        put_field(json, by_distance ? JsonName("blend_distance") : JsonName("blend_tolerance"),
+                  blending.size);
+        if (blending.with_tangents) json.key("blend_tangents").value(true);
         if (motion.orient_kind != path::OrientKind::None && std::isfinite(blending.orientation))
-            append_field(out, "blend_orientation", deg_from_rad(blending.orientation));
+            put_field(json, "blend_orientation", deg_from_rad(blending.orientation));
     }
     if (blending.smooths_orientation && motion.orient_kind > path::OrientKind::Straight &&
         !motion.exact_stop)
-        append_field(out, "smooth_orientation", deg_from_rad(blending.orientation));
-    if (motion.compress > 0) append_field(out, "compress", motion.compress);
+        put_field(json, "smooth_orientation", deg_from_rad(blending.orientation));
+    if (motion.compress > 0) put_field(json, "compress", motion.compress);
 }
 
-void append_spindle(std::string& out, const path::Spindle& spindle) {
-    if (spindle.number != 0) append_field(out, "spindle", spindle.number);
-    append_word(out, "mode", spindle_name(spindle.mode));
+void put_spindle(JsonWriter& json, const path::Spindle& spindle) {
+    if (spindle.number != 0) put_field(json, "spindle", spindle.number);
+    json.key("mode").value(spindle_name(spindle.mode));
     switch (spindle.mode) {
         case SpindleMode::Stop: break;
-        case SpindleMode::Orient: append_field(out, "angle", spindle.angle_deg); break;
+        case SpindleMode::Orient: put_field(json, "angle", spindle.angle_deg); break;
         case SpindleMode::Cw:
         case SpindleMode::Ccw:
-            append_field(out, spindle.has_cutting_speed ? "cutting_speed" : "speed", spindle.speed);
+            put_field(json,
+                      spindle.has_cutting_speed ? JsonName("cutting_speed") : JsonName("speed"),
+                      spindle.speed);
             break;
     }
 }
 
-void append_dwell(std::string& out, const path::Dwell& dwell) {
-    if (dwell.revolutions > 0) append_field(out, "revolutions", dwell.revolutions);
-    else append_field(out, "time", dwell.time);
+void put_dwell(JsonWriter& json, const path::Dwell& dwell) {
+    if (dwell.revolutions > 0) put_field(json, "revolutions", dwell.revolutions);
+    else put_field(json, "time", dwell.time);
 }
 
-void append_speed_limit(std::string& out, const path::SpeedLimit& limit) {
-    append_field(out, "speed", limit.most);
-    if (limit.least > 0) append_field(out, "least_speed", limit.least);
+void put_speed_limit(JsonWriter& json, const path::SpeedLimit& limit) {
+    put_field(json, "speed", limit.most);
+    if (limit.least > 0) put_field(json, "least_speed", limit.least);
 }
 
-void append_tool_length(std::string& out, const path::ToolLength& length) {
-    append_field(out, "tool", static_cast<double>(length.number));
-    append_field(out, "length", length.length);
-    for (std::size_t i = 0; i < 3; ++i) {
-        static constexpr std::array kNames = {"length_x", "length_y", "length_z"};
+void put_tool_length(JsonWriter& json, const path::ToolLength& length) {
+    static constexpr std::array<JsonName, 3> kNames = {"length_x", "length_y", "length_z"};
+    json.key("tool").value(length.number);
+    put_field(json, "length", length.length);
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
         const double aside = length.aside[static_cast<Eigen::Index>(i)];
-        if (aside != 0) append_field(out, kNames[i], aside);
+        if (aside != 0) put_field(json, kNames[i], aside);
     }
 }
 
 /// Where a motion leads, on which shape, and how fast.
-void append_motion(std::string& out, const path::Motion& motion, AxisMask axes) {
-    append_target(out, motion, axes);
+void put_motion(JsonWriter& json, const path::Motion& motion, AxisMask axes) {
+    put_target(json, motion, axes);
     switch (motion.op()) {
         case Op::Rapid: return;
         case Op::Arc:
-            append_circle(out, motion.arc(), motion.plane);
-            if (motion.arc().turns != 0) append_field(out, "turns", motion.arc().turns);
+            put_circle(json, motion.arc(), motion.plane);
+            if (motion.arc().turns != 0) put_field(json, "turns", motion.arc().turns);
             break;
-        case Op::Spline: append_spline(out, motion.spline()); break;
+        case Op::Spline: put_spline(json, motion.spline()); break;
         case Op::Involute:
-            append_circle(out, motion.involute(), motion.plane);
-            append_field(out, "base_radius", motion.involute().base_radius);
+            put_circle(json, motion.involute(), motion.plane);
+            put_field(json, "base_radius", motion.involute().base_radius);
             break;
-        case Op::Parametric: append_curve(out, motion.curve()); break;
+        case Op::Parametric: put_curve(json, motion.curve()); break;
         default: break;
     }
-    append_feed(out, motion);
+    put_feed(json, motion);
     if (motion.op() != Op::Thread) return;
     const path::ThreadShape& thread = motion.thread();
-    if (thread.pitch_change != 0) append_field(out, "lead_change", thread.pitch_change);
-    if (thread.start_deg != 0) append_field(out, "start", thread.start_deg);
+    if (thread.pitch_change != 0) put_field(json, "lead_change", thread.pitch_change);
+    if (thread.start_deg != 0) put_field(json, "start", thread.start_deg);
+}
+
+/// What the command has beside its name and its location.
+void put_command(JsonWriter& json, const Command& command, AxisMask axes) {
+    switch (command.op()) {
+        case Op::Rapid:
+        case Op::Line:
+        case Op::Arc:
+        case Op::Spline:
+        case Op::Involute:
+        case Op::Parametric:
+        case Op::Thread:
+        case Op::Probe: put_motion(json, command.motion(), axes); break;
+        case Op::Dwell: put_dwell(json, command.dwell()); break;
+        case Op::Spindle:
+        case Op::OtherSpindle: put_spindle(json, command.spindle()); break;
+        case Op::SpeedLimit: put_speed_limit(json, command.speed_limit()); break;
+        case Op::Tool: json.key("tool").value(command.tool().number); break;
+        case Op::ToolLength: put_tool_length(json, command.tool_length()); break;
+        case Op::Coolant: json.key("mode").value(coolant_name(command.coolant().mode)); break;
+        case Op::Function:
+            json.key("code").value(command.function().code);
+            json.key("step").value(step_name(command.function().step));
+            break;
+        case Op::Message: json.key("text").value(command.message().text); break;
+        case Op::External: put_field(json, "time", command.external().time); break;
+        case Op::Stop:
+        case Op::OptionalStop:
+        case Op::ScannerOn:
+        case Op::ScannerOff:
+        case Op::End: break;
+    }
+    if (command.is_motion()) put_ending(json, command.motion());
 }
 
 }  // namespace
@@ -327,41 +291,14 @@ Listing::Listing(const machine::Machine& machine) {
 }
 
 void Listing::append(const Command& command, std::string_view source, std::string& out) const {
-    out += "{\"op\":\"";
-    out += path::op_name(command.op());
-    out += '"';
-    switch (command.op()) {
-        case Op::Rapid:
-        case Op::Line:
-        case Op::Arc:
-        case Op::Spline:
-        case Op::Involute:
-        case Op::Parametric:
-        case Op::Thread:
-        case Op::Probe: append_motion(out, command.motion(), axes_); break;
-        case Op::Dwell: append_dwell(out, command.dwell()); break;
-        case Op::Spindle:
-        case Op::OtherSpindle: append_spindle(out, command.spindle()); break;
-        case Op::SpeedLimit: append_speed_limit(out, command.speed_limit()); break;
-        case Op::Tool: append_field(out, "tool", static_cast<double>(command.tool().number)); break;
-        case Op::ToolLength: append_tool_length(out, command.tool_length()); break;
-        case Op::Coolant: append_word(out, "mode", coolant_name(command.coolant().mode)); break;
-        case Op::Function:
-            append_field(out, "code", static_cast<double>(command.function().code));
-            append_word(out, "step", step_name(command.function().step));
-            break;
-        case Op::Message: append_text(out, "text", command.message().text); break;
-        case Op::External: append_field(out, "time", command.external().time); break;
-        case Op::Stop:
-        case Op::OptionalStop:
-        case Op::ScannerOn:
-        case Op::ScannerOff:
-        case Op::End: break;
-    }
-    if (command.is_motion()) append_ending(out, command.motion());
-    if (command.line != 0) append_field(out, "iso", command.line);
-    if (!source.empty()) append_text(out, "src", source);
-    out += "}\n";
+    JsonWriter json(out);
+    json.object([&] {
+        json.key("op").value(path::op_name(command.op()));
+        put_command(json, command, axes_);
+        if (command.line != 0) json.key("iso").value(command.line);
+        if (!source.empty()) json.key("src").value(source);
+    });
+    json.end_line();
 }
 
 }  // namespace kadr::interp

@@ -100,6 +100,24 @@ TEST(House, LibrariesStayBehindTheirDoors) {
     }
 }
 
+/// JSON is spelled in one place: no other file has the beginning of an object, or an end of a
+/// member's name, in a string.
+TEST(House, JsonComesFromItsWriter) {
+    constexpr std::array kSpelled = {R"(\":)", R"({\")", R"(,\")", R"(\"])", R"x(R"({)x"};
+    std::size_t users = 0;
+    for (const char* side : {"runtime", "compiler"}) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kRoot / side)) {
+            const std::string extension = entry.path().extension();
+            if (extension != ".h" && extension != ".cpp") continue;
+            const std::string text = kadr::read_file(entry.path()).value_or("");
+            users += text.find("JsonWriter") != text.npos;
+            for (const char* spelled : kSpelled)
+                EXPECT_EQ(text.find(spelled), text.npos) << entry.path() << " has " << spelled;
+        }
+    }
+    EXPECT_GT(users, 8u);
+}
+
 /// A rule of a control is a typed value of its dialect: only the loader looks one up by its name,
 /// so no room has a default of its own.
 TEST(House, NoRuleIsAskedByItsName) {
