@@ -107,13 +107,13 @@ double parse_tick(const std::string& text) {
 }
 
 /// Seconds of `1.5s..2s`; an end may be left out.
-driver::TimeWindow parse_window(const std::string& text) {
+plot::TimeWindow parse_window(const std::string& text) {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) {
         throw CLI::ValidationError(
             "--window", "`" + text + "` is no part of a run; write `1.5s..2s`, `1.5s..` or `..2s`");
     }
-    driver::TimeWindow window;
+    plot::TimeWindow window;
     if (dots > 0) window.from = parse_time(text.substr(0, dots), "--window");
     if (dots + 2 < text.size()) window.to = parse_time(text.substr(dots + 2), "--window");
     if (window.to > 0 && window.to <= window.from)
@@ -595,8 +595,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
                                              : driver::SummaryFormat::None;
     if (!curves_window_.empty()) line_.run.curves_window = parse_window(curves_window_);
     take_operator();
-    line_.run.plot_color =
-        plot_color_ == "line" ? driver::PlotColor::Line : driver::PlotColor::Feed;
+    line_.run.plot_color = plot_color_ == "line" ? plot::PlotColor::Line : plot::PlotColor::Feed;
     if (line_.verb == Verb::Compare) take_compared();
     line_.format = is_check_ ? driver::FormatMode::Check : driver::FormatMode::Write;
     line_.messages =

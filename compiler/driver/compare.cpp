@@ -10,11 +10,11 @@
 #include "base/done.h"
 #include "base/json_writer.h"
 #include "base/numbers.h"
+#include "base/put.h"
 #include "base/units.h"
 #include "driver/execution.h"
 #include "driver/output.h"
 #include "driver/summary.h"
-#include "driver/svg_text.h"
 #include "motion/comparison.h"
 #include "process/planned_motion.h"
 

@@ -1,7 +1,6 @@
 #include "driver/machine_solve.h"
 
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "base/done.h"
 #include "base/json_writer.h"
 #include "base/numbers.h"
+#include "base/put.h"
 #include "base/units.h"
 #include "machine/number_list.h"
 #include "machine/orientation.h"
@@ -102,12 +102,6 @@ class Solver {
 
   private:
     using Choice = Result<machine::PathEnd, machine::PathRefusal>;
-
-    template <typename... Arguments>
-    static void put(std::string& out, fmt::format_string<Arguments...> format,
-                    Arguments&&... arguments) {
-        fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-    }
 
     // ---------------------------------------------------------------- what was asked
 

@@ -15,6 +15,7 @@
 
 #include "base/files.h"
 #include "motion/operator_panel.h"
+#include "plot/choices.h"
 #include "sema/check.h"
 
 namespace kadr::driver {
@@ -66,14 +67,7 @@ struct ExpandJob {
     std::string map;  // source map; empty: none
 };
 
-/// A part of a run, s.
-struct TimeWindow {
-    double from = 0;
-    double to = 0;  // 0: to the end
-};
-
 enum class SummaryFormat : std::uint8_t { None, Text, Json };
-enum class PlotColor : std::uint8_t { Feed, Line };
 
 /// Somebody who looks on while a program runs.
 struct Onlooker {
@@ -90,12 +84,12 @@ struct RunJob {
     std::string commands;
     std::string setpoints;
     std::string plot;
-    std::string page;          // a page that plays the machine
-    std::string curves;        // position, velocity, acceleration, jerk over time, a drawing
-    TimeWindow curves_window;  // … of this part of the run
-    std::string drive;         // the drives over time, a drawing; rows if `.csv`
-    std::string scanner;       // the scanner's lists of commands
-    std::string limits;        // what kept each block below its feed; rows if `.csv`, else a report
+    std::string page;                // a page that plays the machine
+    std::string curves;              // position, velocity, acceleration, jerk over time, a drawing
+    plot::TimeWindow curves_window;  // … of this part of the run
+    std::string drive;               // the drives over time, a drawing; rows if `.csv`
+    std::string scanner;             // the scanner's lists of commands
+    std::string limits;  // what kept each block below its feed; rows if `.csv`, else a report
     std::string variables;
     std::string print;  // what the program prints
     std::string map;
@@ -104,7 +98,7 @@ struct RunJob {
     std::vector<std::string> until;   // … in front of which the program ends
     Onlooker onlooker;
     SummaryFormat summary = SummaryFormat::None;
-    PlotColor plot_color = PlotColor::Feed;
+    plot::PlotColor plot_color = plot::PlotColor::Feed;
     std::optional<bool> threads;  // planning, sampling and writing of setpoints at the same time;
                                   // nothing: with more than one processor
     double feed_override = 1;     // > 0; multiplies what the program asks for, never a limit

@@ -6,9 +6,9 @@
 
 #include "driver/execution.h"
 #include "driver/output.h"
-#include "driver/page.h"
-#include "driver/page_trace.h"
 #include "driver/session.h"
+#include "plot/page.h"
+#include "plot/page_trace.h"
 
 namespace kadr::driver {
 
@@ -27,20 +27,20 @@ class PageRecorder {
     void add(const motion::Setpoint& setpoint) { trace_->add(setpoint); }
 
     /// Behind the last setpoint.
-    void write(const PageHead& head, Output& out);
+    void write(const plot::PageHead& head, Output& out);
 
   private:
     PageRecorder(Session& session, std::string page) : session_(session), page_(std::move(page)) {}
-    PageLocation source_location(SourceId source);
+    plot::PageLocation source_location(SourceId source);
     void read_texts();
 
     Session& session_;
     std::string page_;
     const Execution* execution_ = nullptr;
-    PageTexts texts_;
+    plot::PageTexts texts_;
     std::string made_;  // ISO-7bit text as it came by, before its name is known
-    std::unique_ptr<PageTrace> trace_;
-    PageBlock block_;  // of the latest segment
+    std::unique_ptr<plot::PageTrace> trace_;
+    plot::PageBlock block_;  // of the latest segment
     std::uint32_t line_ = 0;
     SourceId statement_;
     bool has_block_ = false;

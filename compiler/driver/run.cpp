@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 #include <thread>
 #include <utility>
@@ -21,17 +20,14 @@
 #include "driver/command_list.h"
 #include "driver/command_tap.h"
 #include "driver/debugger.h"
-#include "driver/drive_plot.h"
+#include "driver/drive_table.h"
 #include "driver/execution.h"
 #include "driver/limit_report.h"
-#include "driver/motion_plot.h"
 #include "driver/operator_events.h"
 #include "driver/output.h"
 #include "driver/output_names.h"
 #include "driver/page_recorder.h"
 #include "driver/pipeline_stages.h"
-#include "driver/plot_svg.h"
-#include "driver/plot_tools.h"
 #include "driver/scanner_list.h"
 #include "driver/setpoints.h"
 #include "driver/short_waits.h"
@@ -41,6 +37,10 @@
 #include "motion/path_check.h"
 #include "motion/pipeline.h"
 #include "motion/transformed.h"
+#include "plot/drive_plot.h"
+#include "plot/motion_plot.h"
+#include "plot/plot_svg.h"
+#include "plot/plot_tools.h"
 #include "process/drive_run.h"
 #include "process/planned_motion.h"
 
@@ -186,19 +186,19 @@ class Run {
     std::vector<interp::ProbeTouch> touches_;        // … where its probe touches
     std::vector<macro::InputEvent> input_events_;    // … what the machine gives meanwhile
     std::map<std::uint32_t, std::int32_t> numbers_;  // of the lines of blocks that events name
-    PlotScene scene_;
-    PlotTools tools_;                            // along the path that is drawn
+    plot::PlotScene scene_;
+    plot::PlotTools tools_;                      // along the path that is drawn
     std::unique_ptr<process::DriveRun> drives_;  // null: nobody asked
     std::unique_ptr<DriveTable> drive_table_;    // null: they are drawn
     std::unique_ptr<ScannerText> scanner_;       // null: nobody asked
-    DriveTrace drive_trace_;
-    std::unique_ptr<WorkTimes> times_;          // null: nobody reads a summary
-    std::unique_ptr<LimitReport> limits_;       // null: nobody asked
-    std::unique_ptr<MotionTrace> motion_;       // null: nobody asked
-    std::unique_ptr<PageRecorder> page_;        // likewise
-    std::unique_ptr<SetpointTable> table_;      // likewise
-    std::unique_ptr<motion::PathCheck> check_;  // null: no setpoints are made
-    std::atomic<std::uint64_t> setpoints_ = 0;  // progress is reported by another thread
+    plot::DriveTrace drive_trace_;
+    std::unique_ptr<WorkTimes> times_;           // null: nobody reads a summary
+    std::unique_ptr<LimitReport> limits_;        // null: nobody asked
+    std::unique_ptr<plot::MotionTrace> motion_;  // null: nobody asked
+    std::unique_ptr<PageRecorder> page_;         // likewise
+    std::unique_ptr<SetpointTable> table_;       // likewise
+    std::unique_ptr<motion::PathCheck> check_;   // null: no setpoints are made
+    std::atomic<std::uint64_t> setpoints_ = 0;   // progress is reported by another thread
     std::uint64_t commands_ = 0;
 };
 
@@ -231,7 +231,7 @@ Done Run::open_outputs(bool is_kadr) {
 
 void Run::draw(const motion::Segment& segment) {
     double shade = round_to(mm_min_from_feed(segment.feed), 3);
-    if (job_.plot_color == PlotColor::Line) {
+    if (job_.plot_color == plot::PlotColor::Line) {
         const SourceRange range = execution_->statement(segment.source);
         shade = range.file.is_valid() ? session_.sources().locate(range.file, range.begin).line
                                       : segment.line;
@@ -344,8 +344,8 @@ void Run::sample(Stream<motion::Segment>& segments, double tick) {
     const machine::Machine& machine = execution_->machine();
     if (outputs_.setpoints) table_ = open_setpoints(machine, *outputs_.setpoints);
     if (outputs_.curves) {
-        motion_ = std::make_unique<MotionTrace>(machine, tick > 0 ? tick : machine.tick,
-                                                job_.curves_window);
+        motion_ = std::make_unique<plot::MotionTrace>(machine, tick > 0 ? tick : machine.tick,
+                                                      job_.curves_window);
     }
     // Who draws needs no ticks of a long wait.
     ShortWaits waits(segments, tick > 0 ? tick : machine.tick);
@@ -442,17 +442,17 @@ void Run::finish(const RunFigures& figures) {
 }
 
 void Run::write_curves(const RunFigures& figures) {
-    MotionText text;
+    plot::MotionText text;
     text.title = figures.source + ": the axes over time";
     text.subtitle = subtitle(figures);
     if (motion_->has_too_many_blocks())
         text.subtitle += " · too many blocks to be marked, a shorter window shows them";
     if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
-    outputs_.curves->write(motion_svg(*motion_, text));
+    outputs_.curves->write(plot::motion_svg(*motion_, text));
 }
 
 void Run::write_page(const RunFigures& figures) {
-    PageHead head;
+    plot::PageHead head;
     head.title = figures.source;
     head.subtitle = subtitle(figures);
     if (!figures.alarm.empty()) head.warning = "not complete, ended by " + figures.alarm;
@@ -460,12 +460,12 @@ void Run::write_page(const RunFigures& figures) {
 }
 
 void Run::write_plot(const RunFigures& figures) {
-    PlotText text;
+    plot::PlotText text;
     text.title = figures.source;
     text.subtitle = subtitle(figures);
     text.has_diameters = execution_->machine().is_lathe;
     if (!figures.alarm.empty()) text.warning = "not complete, ended by " + figures.alarm;
-    outputs_.plot->write(plot_svg(scene_, text, job_.plot_color, tools_.all()));
+    outputs_.plot->write(plot::plot_svg(scene_, text, job_.plot_color, tools_.all()));
 }
 
 /// The control, the machine and how long it took.
@@ -566,8 +566,8 @@ void Run::finish_drives(const RunFigures& figures) {
     if (drives_->has_stalled()) {
         session_.messages()
             .report(diag::SpindleStalls)
-            .arg(round_to(rpm_from_speed(drives_->wanted_speed() / (2 * std::numbers::pi)), 1))
-            .arg(round_to(rpm_from_speed(drives_->speed() / (2 * std::numbers::pi)), 1));
+            .arg(round_to(rpm_from_angular_speed(drives_->wanted_speed()), 1))
+            .arg(round_to(rpm_from_angular_speed(drives_->speed()), 1));
     }
     const std::string warning = !figures.alarm.empty() ? "not complete, ended by " + figures.alarm
                                 : drives_->has_stalled()
@@ -578,11 +578,11 @@ void Run::finish_drives(const RunFigures& figures) {
         if (!warning.empty()) outputs_.drive->write("# " + warning + '\n');
         return;
     }
-    DriveText text;
+    plot::DriveText text;
     text.title = figures.source + ": the drives";
     text.subtitle = figures.dialect + " · " + machine_title();
     text.warning = warning;
-    outputs_.drive->write(drive_svg(drive_trace_, *execution_->machine().drives, text));
+    outputs_.drive->write(plot::drive_svg(drive_trace_, *execution_->machine().drives, text));
 }
 
 Status Run::commit() {

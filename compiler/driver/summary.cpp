@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -11,16 +10,12 @@
 
 #include "base/json_writer.h"
 #include "base/printable.h"
+#include "base/put.h"
 #include "base/units.h"
 
 namespace kadr::driver {
 
 namespace {
-
-template <typename... Arguments>
-void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 /// A value of an axis as people and files have it: mm or degrees (per s, s², s³).
 double shown(const machine::MachineAxis& axis, double value) {

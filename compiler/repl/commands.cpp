@@ -12,10 +12,10 @@
 #include "base/text.h"
 #include "driver/modules.h"
 #include "driver/output.h"
-#include "driver/plot_svg.h"
 #include "driver/program.h"
 #include "driver/session.h"
 #include "driver/summary.h"
+#include "plot/plot_svg.h"
 #include "repl/prompt.h"
 #include "repl/sketch.h"
 #include "syntax/format.h"
@@ -223,13 +223,13 @@ struct Commands {
 
     void plot(std::string_view file) {
         if (!file.empty()) {
-            driver::PlotText text;
+            plot::PlotText text;
             text.title = "prompt";
             text.subtitle = prompt.now_.plot_subtitle;
             const std::string path(file);
             if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
             const std::string words =
-                write_whole(path, plot_svg(prompt.now_.scene, text, driver::PlotColor::Feed));
+                write_whole(path, plot_svg(prompt.now_.scene, text, plot::PlotColor::Feed));
             if (!words.empty()) return prompt.write(words);
             prompt.note_written(path);
         }

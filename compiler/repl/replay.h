@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "driver/options.h"
-#include "driver/plot_scene.h"
 #include "driver/share.h"
 #include "interp/interpreter.h"
 #include "motion/pipeline.h"
+#include "plot/plot_scene.h"
 
 namespace kadr::repl {
 
@@ -32,7 +32,7 @@ struct ReplayOutcome {
     std::vector<interp::StateItem> state;
     AxisValues position{};
     motion::Totals totals;
-    driver::PlotScene scene;
+    plot::PlotScene scene;
     std::string plot_subtitle;
     std::vector<std::string> reported;  // all messages, without their lines
     std::vector<std::string> values;    // of the expressions that were to be shown, as texts

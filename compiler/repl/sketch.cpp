@@ -9,8 +9,8 @@ namespace kadr::repl {
 
 namespace {
 
-using driver::PlotPiece;
 using path::Vec3;
+using plot::PlotPiece;
 
 constexpr std::size_t kMaxRows = 24;
 constexpr int kRapidGap = 3;      // dots of a rapid stand this far apart
@@ -58,7 +58,7 @@ class Dots {
 
 class SketchPen {
   public:
-    SketchPen(Dots& dots, const driver::SceneBox& box, double dots_per_mm, long height)
+    SketchPen(Dots& dots, const plot::SceneBox& box, double dots_per_mm, long height)
         : dots_(dots), box_(box), scale_(dots_per_mm), height_(height) {}
 
     void line(const Vec3& from, const Vec3& to, bool is_rapid) {
@@ -79,15 +79,15 @@ class SketchPen {
     }
 
     Dots& dots_;
-    const driver::SceneBox& box_;
+    const plot::SceneBox& box_;
     double scale_;
     long height_;
 };
 
 }  // namespace
 
-std::string sketch(const driver::PlotScene& scene, std::size_t columns) {
-    driver::SceneBox box = scene.feed_box();
+std::string sketch(const plot::PlotScene& scene, std::size_t columns) {
+    plot::SceneBox box = scene.feed_box();
     if (box.is_empty()) box = scene.rapid_box();
     if (box.is_empty()) return "nothing has moved\n";
     columns = std::clamp<std::size_t>(columns, 20, 100);
@@ -111,12 +111,12 @@ std::string sketch(const driver::PlotScene& scene, std::size_t columns) {
             if (piece.arc < 0) {
                 pen.line(at, piece.to, is_rapid);
             } else {
-                const driver::PlotArc& arc = scene.arc(piece);
+                const plot::PlotArc& arc = scene.arc(piece);
                 const int parts = std::max(2, static_cast<int>(std::fabs(arc.sweep) / kArcStep));
                 Vec3 from = at;
                 for (int i = 1; i <= parts; ++i) {
                     const Vec3 to =
-                        driver::point_on_arc(arc, at, piece.to, static_cast<double>(i) / parts);
+                        plot::point_on_arc(arc, at, piece.to, static_cast<double>(i) / parts);
                     pen.line(from, to, is_rapid);
                     from = to;
                 }

@@ -18,5 +18,7 @@ constexpr double feed_from_mm_min(double feed_mm_min) { return feed_mm_min / 60.
 constexpr double mm_min_from_feed(double feed) { return feed * 60.0; }
 constexpr double speed_from_rpm(double speed_rpm) { return speed_rpm / 60.0; }
 constexpr double rpm_from_speed(double speed) { return speed * 60.0; }
+/// Of rad/s.
+constexpr double rpm_from_angular_speed(double speed) { return rpm_from_speed(speed / kTurnRad); }
 
 }  // namespace kadr

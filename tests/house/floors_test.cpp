@@ -35,13 +35,14 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"syntax", {"base", "nc"}},
     {"sema", {"base", "nc", "syntax"}},
     {"expand", {"base", "nc", "path", "machine", "control", "syntax", "sema"}},
+    {"plot", {"base", "path", "machine", "motion", "process"}},
     {"driver",
      {"base", "nc", "path", "machine", "control", "macro", "write", "interp", "motion", "process",
-      "syntax", "sema", "expand"}},
+      "syntax", "sema", "expand", "plot"}},
     {"repl",
      {"base", "nc", "path", "machine", "control", "macro", "write", "interp", "motion", "process",
-      "syntax", "sema", "driver"}},
-    {"cli", {"base", "nc", "machine", "driver", "repl"}},
+      "syntax", "sema", "plot", "driver"}},
+    {"cli", {"base", "nc", "machine", "plot", "driver", "repl"}},
 };
 
 /// Libraries that only the named files may see.

@@ -564,7 +564,7 @@ TEST(Prompt, AHoleIsOnePlaceInPlan) {
 }
 
 TEST(Sketch, DrawsAtLeastSomething) {
-    driver::PlotScene scene;
+    plot::PlotScene scene;
     EXPECT_EQ(sketch(scene, 40), "nothing has moved\n");
 }
 

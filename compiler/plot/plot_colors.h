@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "driver/options.h"
-#include "driver/plot_scene.h"
+#include "plot/choices.h"
+#include "plot/plot_scene.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 struct LegendEntry {
     std::string color;  // "#1f6fb4"
@@ -22,4 +22,4 @@ std::vector<LegendEntry> legend_of(const PlotScene& scene, PlotColor color);
 /// The entry that a shade belongs to.
 const LegendEntry& entry_for(const std::vector<LegendEntry>& legend, double shade);
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -1,4 +1,4 @@
-#include "driver/plot_svg.h"
+#include "plot/plot_svg.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/numbers.h"
-#include "driver/plot_colors.h"
-#include "driver/plot_layout.h"
-#include "driver/svg_text.h"
+#include "plot/plot_colors.h"
+#include "plot/plot_layout.h"
+#include "plot/svg_text.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -442,4 +442,4 @@ std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor col
     return out;
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -10,7 +10,7 @@
 #include "machine/chain.h"
 #include "motion/segment.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 /// The tool at one point of the path.
 struct PlotTool {
@@ -33,4 +33,4 @@ class PlotTools {
     std::size_t passed_ = 0;
 };
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

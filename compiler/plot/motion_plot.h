@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "base/axes.h"
-#include "driver/options.h"
 #include "machine/machine.h"
 #include "motion/pipeline.h"
+#include "plot/choices.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 /// The setpoints of a run, gathered in a bounded number of bins: of each the first, the least, the
 /// greatest and the last value, so that no peak is lost however long the program is.
@@ -89,4 +89,4 @@ struct MotionText {
 /// dashed line; where the tool is at the pole, the charts show it.
 std::string motion_svg(const MotionTrace& trace, const MotionText& text);
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

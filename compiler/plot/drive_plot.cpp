@@ -1,4 +1,4 @@
-#include "driver/drive_plot.h"
+#include "plot/drive_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,10 @@
 
 #include "base/numbers.h"
 #include "base/units.h"
-#include "driver/chart.h"
-#include "driver/columns.h"
-#include "driver/svg_text.h"
+#include "plot/chart.h"
+#include "plot/svg_text.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -19,16 +18,7 @@ using process::DriveSample;
 
 constexpr std::size_t kMostSamples = 1 << 16;
 
-double rpm_of(double speed) { return rpm_from_speed(speed / (2 * std::numbers::pi)); }
-
-/// m/min
-double cutting_speed_of(const DriveSample& sample) {
-    return sample.speed * std::abs(sample.tip[0]) * 60 / 1000;
-}
-
 }  // namespace
-
-// ------------------------------------------------------------------------------------------ rows
 
 void DriveTrace::add(const DriveSample& sample) {
     if (pending_ > 0 && pending_ < stride_) {
@@ -48,35 +38,6 @@ void DriveTrace::add(const DriveSample& sample) {
     stride_ *= 2;
     pending_ = stride_;
 }
-
-DriveTable::DriveTable(Output& out) : out_(out) {
-    out_.write("t,tip_x,tip_y,tip_z,speed_set,speed,current,load,power,feed,cutting_speed,iso\n");
-}
-
-void DriveTable::add(const DriveSample& sample) {
-    constexpr int kDecimals = 6;
-    append_trimmed(text_, sample.time, kDecimals);
-    for (int i = 0; i < 3; ++i) append_column(text_, sample.tip[i], kDecimals);
-    append_column(text_, rpm_of(sample.wanted_speed), kDecimals);
-    append_column(text_, rpm_of(sample.speed), kDecimals);
-    append_column(text_, sample.current, kDecimals);
-    append_column(text_, sample.load, kDecimals);
-    append_column(text_, sample.load * sample.speed, kDecimals);
-    append_column(text_, mm_min_from_feed(sample.feed), kDecimals);
-    append_column(text_, cutting_speed_of(sample), kDecimals);
-    append_column(text_, sample.line);
-    text_ += '\n';
-    if (text_.size() > 60000) flush();
-}
-
-void DriveTable::finish() { flush(); }
-
-void DriveTable::flush() {
-    out_.write(text_);
-    text_.clear();
-}
-
-// --------------------------------------------------------------------------------------- drawing
 
 namespace {
 
@@ -173,9 +134,10 @@ std::vector<Chart> charts_of(const std::vector<DriveSample>& samples, const Wind
     charts[1].title = "Spindle speed, rpm";
     charts[1].lines = {
         line_of(
-            samples, [](const DriveSample& s) { return rpm_of(s.wanted_speed); }, kSoft),
+            samples, [](const DriveSample& s) { return rpm_from_angular_speed(s.wanted_speed); },
+            kSoft),
         line_of(
-            samples, [](const DriveSample& s) { return rpm_of(s.speed); }, kSpeed)};
+            samples, [](const DriveSample& s) { return rpm_from_angular_speed(s.speed); }, kSpeed)};
     charts[1].lines[0].is_dashed = true;
     charts[1].lines[0].name = "commanded";
     charts[1].lines[1].name = "real";
@@ -260,9 +222,10 @@ PassMarks pass_marks(const std::vector<DriveSample>& samples, const Facing& faci
     }
     if (facing.limit) {
         events.push_back(
-            {*facing.limit, "the speed limit, " +
-                                number(rpm_of(samples[*facing.limit].wanted_speed), 1) + " rpm" +
-                                where(*facing.limit) + "; from here the current drops"});
+            {*facing.limit,
+             "the speed limit, " +
+                 number(rpm_from_angular_speed(samples[*facing.limit].wanted_speed), 1) + " rpm" +
+                 where(*facing.limit) + "; from here the current drops"});
     }
     const char* const names[] = {"the tool passes the centre: the load ends",
                                  "it passes the centre again on its way back"};
@@ -321,4 +284,4 @@ std::string drive_svg(const DriveTrace& trace, const machine::Drives& drives,
     return out + "</svg>\n";
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -1,4 +1,4 @@
-#include "driver/plot_colors.h"
+#include "plot/plot_colors.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "base/numbers.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -90,4 +90,4 @@ const LegendEntry& entry_for(const std::vector<LegendEntry>& legend, double shad
     return found == legend.end() ? legend.back() : *found;
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -7,17 +7,17 @@
 
 #include <gtest/gtest.h>
 
-#include "driver/plot_colors.h"
-#include "driver/plot_layout.h"
-#include "driver/plot_scene.h"
-#include "driver/plot_svg.h"
+#include "plot/plot_colors.h"
+#include "plot/plot_layout.h"
+#include "plot/plot_scene.h"
+#include "plot/plot_svg.h"
 
 namespace plot_test {
 
 namespace {
 
 using namespace kadr;
-using namespace kadr::driver;
+using namespace kadr::plot;
 using path::Vec3;
 
 class Plot : public ::testing::Test {

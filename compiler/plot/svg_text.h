@@ -1,26 +1,18 @@
 // svg_text.h — the words of SVG that every drawing of ours needs.
 #pragma once
 
-#include <iterator>
 #include <string>
 #include <string_view>
-#include <utility>
-
-#include <fmt/format.h>
 
 #include "base/printable.h"
+#include "base/put.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 inline constexpr const char* kInk = "#2d3138";
 inline constexpr const char* kSoft = "#6d7480";
 inline constexpr const char* kAlert = "#b3261e";
 inline constexpr const char* kAlertGround = "#f9dcd9";
-
-template <typename... Arguments>
-void put(std::string& out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Arguments>(arguments)...);
-}
 
 /// A text, the name of a file among others, as XML may hold it: without control characters.
 inline std::string escaped(std::string_view text) {
@@ -63,4 +55,4 @@ inline void put_title(std::string& out, std::string_view title, std::string_view
         escaped(warning));
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "driver/plot_scene.h"
-#include "driver/plot_tools.h"
+#include "plot/plot_scene.h"
+#include "plot/plot_tools.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 /// A rectangle on paper, pixels, y downwards.
 struct PlotFrame {
@@ -74,4 +74,4 @@ PlotLayout lay_out(const PlotScene& scene, std::span<const PlotTool> tools = {})
 /// How long a tool is drawn, mm.
 double tool_length(const PlotScene& scene);
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

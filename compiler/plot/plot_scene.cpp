@@ -1,4 +1,4 @@
-#include "driver/plot_scene.h"
+#include "plot/plot_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -157,4 +157,4 @@ void PlotScene::thin_to(double tolerance, bool keeps_shades) {
     arcs_ = std::move(kept_arcs);
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -11,10 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "driver/page_trace.h"
-#include "driver/session.h"
+#include "plot/page_trace.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 /// The texts that a page shows beside the machine, in bounded memory.
 class PageTexts {
@@ -49,14 +48,13 @@ struct PageHead {
 std::size_t most_page_samples(const machine::Machine& machine);
 std::size_t most_page_blocks();
 
-/// The template: of the environment's KADR_PAGE, else what was installed or built. Nothing, with a
-/// message: it is not there, or it is none.
-std::optional<std::string> page_template(Session& session);
+/// What a template lacks into which a page is put; nothing: it is one.
+std::optional<std::string_view> missing_in_template(std::string_view page);
 
 /// The page.
 ///
-/// page  as page_template() gives it
+/// page  a template that lacks nothing
 std::string page_html(std::string_view page, const PageHead& head, const PageTrace& trace,
                       const PageTexts& texts);
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -1,13 +1,13 @@
-#include "driver/chart.h"
+#include "plot/chart.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/numbers.h"
-#include "driver/svg_text.h"
+#include "plot/svg_text.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -221,4 +221,4 @@ void draw_chart(std::string& out, const Chart& chart) {
     draw_marks(out, chart, scale);
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

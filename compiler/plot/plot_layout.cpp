@@ -1,11 +1,11 @@
-#include "driver/plot_layout.h"
+#include "plot/plot_layout.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -183,4 +183,4 @@ PlotLayout lay_out(const PlotScene& scene, std::span<const PlotTool> tools) {
     return layout;
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/plot_layout.h"
+#include "plot/plot_layout.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 struct ChartLine {
     std::vector<double> across;  // ascending for a curve over time
@@ -51,4 +51,4 @@ void draw_badge(std::string& out, double x, double y, const std::string& name);
 /// Appends the drawing; the scale upwards is chosen from what is seen.
 void draw_chart(std::string& out, const Chart& chart);
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

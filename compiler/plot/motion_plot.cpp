@@ -1,4 +1,4 @@
-#include "driver/motion_plot.h"
+#include "plot/motion_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 #include "base/numbers.h"
 #include "base/units.h"
-#include "driver/chart.h"
-#include "driver/svg_text.h"
 #include "machine/kinematics.h"
+#include "plot/chart.h"
+#include "plot/svg_text.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -322,4 +322,4 @@ std::string motion_svg(const MotionTrace& trace, const MotionText& text) {
     return out + "</svg>\n";
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

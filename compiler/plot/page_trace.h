@@ -13,7 +13,7 @@
 #include "machine/machine.h"
 #include "motion/pipeline.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 /// A location in one of the texts of a page; line 0: nowhere.
 struct PageLocation {
@@ -96,4 +96,4 @@ class PageTrace {
     std::vector<path::Vec3> tools_;
 };
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

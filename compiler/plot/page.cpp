@@ -1,19 +1,15 @@
-#include "driver/page.h"
+#include "plot/page.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <span>
 
-#include "base/diagnostics/page.h"
 #include "base/json_writer.h"
-#include "base/text.h"
 #include "base/units.h"
-#include "driver/base64.h"
-#include "driver/svg_text.h"
+#include "plot/base64.h"
+#include "plot/svg_text.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -255,23 +251,13 @@ std::size_t most_page_samples(const machine::Machine& machine) {
 
 std::size_t most_page_blocks() { return kBlockBytes / as_text(4 * (kBlockColumns + 1)); }
 
-std::optional<std::string> page_template(Session& session) {
-    const char* chosen = std::getenv("KADR_PAGE");
-    const std::string name =
-        chosen != nullptr && *chosen != '\0' ? chosen : session.share().page_template;
-    const auto page = read_file(name);
-    if (!page) {
-        session.messages().report(diag::PageTemplateMissing).arg(name);
-        return std::nullopt;
-    }
+std::optional<std::string_view> missing_in_template(std::string_view page) {
     std::size_t at = 0;
     for (const std::string_view text : {kTitlePlace, kDataPlace}) {
-        at = page->find(text, at);
-        if (at != std::string::npos) continue;
-        session.messages().report(diag::PageTemplateBroken).arg(name).arg(text);
-        return std::nullopt;
+        at = page.find(text, at);
+        if (at == std::string_view::npos) return text;
     }
-    return *page;
+    return std::nullopt;
 }
 
 std::string page_html(std::string_view page, const PageHead& head, const PageTrace& trace,
@@ -287,4 +273,4 @@ std::string page_html(std::string_view page, const PageHead& head, const PageTra
     return out;
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -1,5 +1,5 @@
 // Curves over time: nothing that the axes are told is lost on its way to the paper.
-#include "driver/motion_plot.h"
+#include "plot/motion_plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,14 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/driver/scratch.h"
-
-namespace motion_plot_test {
-
 namespace {
 
 using namespace kadr;
-using namespace kadr::driver;
+using namespace kadr::plot;
 
 constexpr double kTick = 0.001;
 
@@ -138,25 +134,4 @@ TEST(MotionTrace, TooManyBlocksAreNotMarked) {
     EXPECT_LE(trace.blocks().size(), 400u);
 }
 
-class CurvesOfARun : public kadr::test::ScratchFolder {};
-
-TEST_F(CurvesOfARun, AreDrawnForAWindow) {
-    save("square.kadr",
-         "program p() { tool(1); S1000 M3; F600; G0 X0 Y0 Z5; G1 X10; Y10; X0; Y0; M30; }");
-    const auto result = kadr({"run", file("square.kadr"), "--curves", file("c.svg"), "--window",
-                              "4.5s..5.5s", "--setpoints", file("c.npy")});
-    ASSERT_EQ(result.status, 0) << result.err;
-    const std::string svg = read_file(file("c.svg")).value();
-    EXPECT_NE(svg.find("square.kadr: the axes over time"), std::string::npos);
-    EXPECT_TRUE(read_file(file("c.npy")).value().starts_with("\x93NUMPY"));
-    for (const char* wrong : {"3", "5s..4s", "a..b"}) {
-        const auto refused =
-            kadr({"run", file("square.kadr"), "--curves", file("d.svg"), "--window", wrong});
-        EXPECT_EQ(refused.status, 2) << wrong;
-        EXPECT_NE(refused.err.find("--window"), std::string::npos) << refused.err;
-    }
-}
-
 }  // namespace
-
-}  // namespace motion_plot_test

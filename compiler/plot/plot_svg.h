@@ -5,11 +5,11 @@
 #include <span>
 #include <string>
 
-#include "driver/options.h"
-#include "driver/plot_scene.h"
-#include "driver/plot_tools.h"
+#include "plot/choices.h"
+#include "plot/plot_scene.h"
+#include "plot/plot_tools.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 struct PlotText {
     std::string title;     // "bracket.kadr"
@@ -27,4 +27,4 @@ struct PlotText {
 std::string plot_svg(const PlotScene& scene, const PlotText& text, PlotColor color,
                      std::span<const PlotTool> tools = {});
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -1,4 +1,4 @@
-#include "driver/page_trace.h"
+#include "plot/page_trace.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 #include "base/assert.h"
 #include "base/units.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -176,4 +176,4 @@ void PageTrace::thin_blocks() {
     }
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

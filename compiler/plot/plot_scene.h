@@ -10,7 +10,7 @@
 
 #include "motion/segment.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 /// A box around points, mm; empty while lower > upper.
 struct SceneBox {
@@ -70,4 +70,4 @@ class PlotScene {
     double tolerance_ = 0;
 };
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

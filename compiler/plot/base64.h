@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 inline std::string base64_of(std::span<const std::uint8_t> bytes) {
     constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -32,4 +32,4 @@ std::string base64_of(std::span<const T> numbers) {
         reinterpret_cast<const std::uint8_t*>(numbers.data()), numbers.size_bytes()));
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot

@@ -1,4 +1,4 @@
-#include "driver/plot_tools.h"
+#include "plot/plot_tools.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "base/units.h"
 #include "motion/transformed.h"
 
-namespace kadr::driver {
+namespace kadr::plot {
 
 namespace {
 
@@ -56,4 +56,4 @@ void PlotTools::append(const PlotTool& tool) {
     tools_.push_back(tool);
 }
 
-}  // namespace kadr::driver
+}  // namespace kadr::plot
