@@ -12,7 +12,9 @@
 
 #include "base/numbers.h"
 #include "base/unicode.h"
+#include "driver/amount.h"
 #include "driver/operator_events.h"
+#include "driver/outputs.h"
 #include "machine/machine.h"
 
 namespace kadr::cli {
@@ -27,27 +29,13 @@ constexpr const char* kEpilogue =
     "Exit status: 0 done, 1 the program has errors, 2 wrong usage or unreadable file,\n"
     "3 an alarm while running. `man kadr` says more.";
 
-/// The unit behind a number that ends at `end` in the text, blanks around it left out: `4 ms`.
-std::string_view unit_behind(const char* end, const std::string& text) {
-    std::string_view unit(end, text.data() + text.size());
-    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-    return unit.substr(0, unit.find_last_not_of(' ') + 1);
-}
-
 /// Seconds of `1ms`, `0.002s`, `500us`. A bare number could be either: it is none. Throws what
 /// CLI11 expects.
 double parse_time(const std::string& text, const char* option) {
-    const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    const std::string_view unit = unit_behind(number.end, text);
-    const double factor = unit == "s"     ? 1.0
-                          : unit == "ms"  ? 1e-3
-                          : unit == "us"  ? 1e-6
-                          : unit == "min" ? 60.0
-                                          : 0.0;
-    if (number.end == text.data() || factor == 0 || number.value <= 0) {
+    const auto seconds = driver::seconds_of(text);
+    if (!seconds)
         throw CLI::ValidationError(option, "`" + text + "` is not a time; write `1ms` or `0.002s`");
-    }
-    return number.value * factor;
+    return *seconds;
 }
 
 /// Bytes of `4GiB`, `200MB`, `64k`, `1000`.
@@ -68,12 +56,11 @@ std::uint64_t parse_size(const std::string& text, const char* option) {
                                                      {"TiB", 1099511627776.0},
                                                      {"M", 1048576.0},
                                                      {"G", 1073741824.0}}};
-    const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    const std::string_view name = unit_behind(number.end, text);
-    const auto unit = std::ranges::find(kUnits, name, &Unit::name);
+    const driver::Amount amount = driver::amount_of(text).value_or(driver::Amount());
+    const auto unit = std::ranges::find(kUnits, amount.unit, &Unit::name);
     constexpr double kMost = 1e18;
-    const double bytes = unit == kUnits.end() ? 0 : number.value * unit->bytes;
-    if (number.end == text.data() || !(bytes >= 1) || bytes > kMost) {
+    const double bytes = unit == kUnits.end() ? 0 : amount.value * unit->bytes;
+    if (!(bytes >= 1) || bytes > kMost) {
         throw CLI::ValidationError(option, "`" + text + "` is not a size; write `500MB` or `2GiB`");
     }
     return static_cast<std::uint64_t>(bytes);
@@ -81,14 +68,13 @@ std::uint64_t parse_size(const std::string& text, const char* option) {
 
 /// Millimetres of `5um`, `0.003mm`, `0.0001in`.
 double parse_length(const std::string& text, const char* option) {
-    const Decimal number = parse_decimal(text.data(), text.data() + text.size());
-    const std::string_view unit = unit_behind(number.end, text);
+    const auto [value, unit] = driver::amount_of(text).value_or(driver::Amount());
     const double factor = unit == "mm" ? 1.0 : unit == "um" ? 1e-3 : unit == "in" ? 25.4 : 0.0;
-    if (number.end == text.data() || factor == 0 || number.value <= 0) {
+    if (factor == 0 || value <= 0) {
         throw CLI::ValidationError(option,
                                    "`" + text + "` is not a length; write `5um` or `0.005mm`");
     }
-    return number.value * factor;
+    return value * factor;
 }
 
 /// A decimal number, which neither infinity nor "nan" is. What it returns is what CLI11 shows.
@@ -104,21 +90,6 @@ double parse_tick(const std::string& text) {
     if (tick < machine::kShortestTick || tick > machine::kLongestTick)
         throw CLI::ValidationError("--tick", "`" + text + "` is not from 1 us to 1 s");
     return tick;
-}
-
-/// Seconds of `1.5s..2s`; an end may be left out.
-plot::TimeWindow parse_window(const std::string& text) {
-    const std::size_t dots = text.find("..");
-    if (dots == std::string::npos) {
-        throw CLI::ValidationError(
-            "--window", "`" + text + "` is no part of a run; write `1.5s..2s`, `1.5s..` or `..2s`");
-    }
-    plot::TimeWindow window;
-    if (dots > 0) window.from = parse_time(text.substr(0, dots), "--window");
-    if (dots + 2 < text.size()) window.to = parse_time(text.substr(dots + 2), "--window");
-    if (window.to > 0 && window.to <= window.from)
-        throw CLI::ValidationError("--window", "`" + text + "` ends before it begins");
-    return window;
 }
 
 sema::Define parse_define(const std::string& text) {
@@ -187,6 +158,8 @@ class Parser {
     void add_writing(CLI::App& command);
     void add_solve(CLI::App& machine);
     void add_expansion(CLI::App& command);
+    void add_output(CLI::App& command, const driver::OutputRow& row);
+    void check_settings() const;
     void add_limits(CLI::App& command);
     void add_expand();
     void add_run();
@@ -201,10 +174,8 @@ class Parser {
     CommandLine line_;
     std::string source_;
     std::string cycles_ = "native";
-    std::string summary_;
-    std::string plot_color_ = "feed";
+    std::string summary_;  // of a comparison
     std::string threads_;
-    std::string curves_window_;
     std::string messages_ = "text";
     std::string tick_;
     std::string feed_override_;
@@ -213,7 +184,6 @@ class Parser {
     std::string max_time_;
     std::string max_input_;
     std::string max_output_;
-    std::string map_;
     std::vector<std::string> defines_;
     std::vector<int> skips_;
     std::vector<std::string> compared_;  // sources
@@ -327,7 +297,20 @@ void Parser::add_expansion(CLI::App& command) {
         ->type_name("native|moves");
     command.add_flag("--verbose-modal", line_.options.verbose_modal, "repeat modal words");
     add_limits(command);
-    command.add_option("--map", map_, "source map, JSON Lines")->type_name("OUT.json");
+    for (const driver::OutputRow& row : driver::output_rows()) {
+        if (row.kind == driver::OutputRow::Kind::FileOfExpansion) add_output(command, row);
+    }
+}
+
+/// The option of an output or a setting. `a|b` are words, of which it takes one.
+void Parser::add_output(CLI::App& command, const driver::OutputRow& row) {
+    using Kind = driver::OutputRow::Kind;
+    const std::string flag(row.flag);
+    const std::string value(row.value);
+    CLI::Option* option =
+        command.add_option(flag, line_.run.outputs[flag], std::string(row.help))->type_name(value);
+    const bool has_words = row.kind == Kind::Word || (row.kind == Kind::Setting && !row.fault);
+    if (has_words) option->check(one_of(CLI::detail::split(value, '|')));
 }
 
 void Parser::add_limits(CLI::App& command) {
@@ -371,42 +354,9 @@ void Parser::add_run() {
     add_program(*command);
     add_expansion(*command);
     add_writing(*command);
-    command->add_option("--commands", job.commands, "what is executed, JSON Lines")
-        ->type_name("OUT.jsonl");
-    command
-        ->add_option("--setpoints", job.setpoints,
-                     "position of every axis at every tick, CSV or NumPy")
-        ->type_name("OUT.csv|npy");
-    command->add_option("--plot", job.plot, "the path as a drawing")->type_name("OUT.svg");
-    command->add_option("--plot-color", plot_color_, "what colours of the drawing stand for")
-        ->check(one_of({"feed", "line"}))
-        ->type_name("feed|line");
-    command
-        ->add_option("--curves", job.curves,
-                     "position, velocity, acceleration, jerk of the axes over time; a drawing")
-        ->type_name("OUT.svg");
-    command
-        ->add_option("--page", job.page, "the machine in motion beside its program, for a browser")
-        ->type_name("OUT.html");
-    command->add_option("--window", curves_window_, "the part of the run that --curves shows")
-        ->type_name("FROM..TO");
-    command->add_option("--drive", job.drive, "spindle and feed drives over time; a drawing or CSV")
-        ->type_name("OUT.svg|csv");
-    command->add_option("--scanner", job.scanner, "the commands of the scanner, list by list")
-        ->type_name("OUT.txt");
-    command
-        ->add_option("--limits", job.limits,
-                     "what keeps the motion below its feed, and what it costs; a report or CSV")
-        ->type_name("OUT.txt|csv");
-    command->add_option("--summary", summary_, "times, lengths, travel, limits")
-        ->check(one_of({"text", "json"}))
-        ->type_name("text|json");
-    command->add_option("--variables", job.variables, "the control's variables at the end, JSON")
-        ->type_name("OUT.json");
-    command->add_option("--print", job.print, "lines that the program prints (DPRNT)")
-        ->type_name("OUT.txt");
-    command->add_option("--trace", job.trace, "what each block changes; a table or JSON Lines")
-        ->type_name("OUT[.jsonl]");
+    for (const driver::OutputRow& row : driver::output_rows()) {
+        if (row.kind != driver::OutputRow::Kind::FileOfExpansion) add_output(*command, row);
+    }
     command->add_option("--break", job.breaks, "stop in front of a block, a line, a name")
         ->type_name("BLOCK|NAME")
         ->allow_extra_args(false);
@@ -588,19 +538,24 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     if (!max_time_.empty()) options.max_time = parse_time(max_time_, "--max-time");
     options.native_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;
-    line_.expand.map = line_.run.map = map_;
+    line_.expand.map = line_.run.value_of("--map");
     if (!threads_.empty()) line_.run.threads = threads_ == "on";
-    line_.run.summary = summary_ == "json"   ? driver::SummaryFormat::Json
-                        : summary_ == "text" ? driver::SummaryFormat::Text
-                                             : driver::SummaryFormat::None;
-    if (!curves_window_.empty()) line_.run.curves_window = parse_window(curves_window_);
+    check_settings();
     take_operator();
-    line_.run.plot_color = plot_color_ == "line" ? plot::PlotColor::Line : plot::PlotColor::Feed;
     if (line_.verb == Verb::Compare) take_compared();
     line_.format = is_check_ ? driver::FormatMode::Check : driver::FormatMode::Write;
     line_.messages =
         messages_ == "json" ? driver::MessageFormat::Json : driver::MessageFormat::Text;
     return line_;
+}
+
+void Parser::check_settings() const {
+    for (const driver::OutputRow& row : driver::output_rows()) {
+        const std::string& value = line_.run.value_of(row.flag);
+        if (row.fault == nullptr || value.empty()) continue;
+        const std::string fault = row.fault(value);
+        if (!fault.empty()) throw CLI::ValidationError(std::string(row.flag), fault);
+    }
 }
 
 /// How a switch stands at the start; how it is set goes to the events of the run.

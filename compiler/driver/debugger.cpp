@@ -26,10 +26,6 @@ constexpr const char* kHelp =
     ":break N50  stop there too\n"
     ":quit       the program ends here\n";
 
-TraceFormat format_of(const std::string& file) {
-    return file.ends_with(".jsonl") ? TraceFormat::Json : TraceFormat::Table;
-}
-
 bool is_same_value(const macro::ControlVariable& a, const macro::ControlVariable& b) {
     return a.kind == b.kind && a.number == b.number && a.text == b.text;
 }
@@ -67,9 +63,6 @@ std::string position_text(std::string_view label, AxisMask axes, const AxisValue
 
 }  // namespace
 
-Debugger::Debugger(Session& session, const RunJob& job, Output* trace)
-    : session_(session), job_(job), out_(trace) {}
-
 Done Debugger::take_watched_points(const std::vector<std::string>& texts,
                                    std::vector<WatchedPoint>& points, DiagnosticSink& sink) {
     for (const std::string& text : texts) {
@@ -83,20 +76,15 @@ Done Debugger::take_watched_points(const std::vector<std::string>& texts,
     return kDone;
 }
 
-std::unique_ptr<Debugger> Debugger::open(Session& session, const RunJob& job, Output* trace) {
-    std::unique_ptr<Debugger> debugger(new Debugger(session, job, trace));
+std::unique_ptr<Debugger> Debugger::open(Session& session, const RunJob& job, Look look) {
+    std::unique_ptr<Debugger> debugger(new Debugger(session, job, std::move(look)));
     Messages& messages = session.messages();
     if (!take_watched_points(job.breaks, debugger->breaks_, messages)) return nullptr;
     if (!take_watched_points(job.until, debugger->until_, messages)) return nullptr;
     return debugger;
 }
 
-void Debugger::follow(Execution& execution) {
-    execution_ = &execution;
-    if (out_ != nullptr) trace_.emplace(session_, format_of(job_.trace), execution.text_name());
-}
-
-// ---------------------------------------------------------------- the trace
+// ---------------------------------------------------------------- the steps
 
 TraceState Debugger::state() {
     TraceState state;
@@ -135,23 +123,16 @@ void Debugger::end_step() {
     if (!step_) return;
     const bool was_executed = execution_->blocks() != blocks_before_ ||
                               execution_->reader().statements() != statements_before_;
-    if (trace_ && was_executed) {
+    if (look_ && was_executed) {
         step_->block = ++traced_;
         step_->variables = summed_up(changes_);
-        buffer_.clear();
-        trace_->append(*step_, state(), buffer_);
-        out_->write(buffer_);
+        look_(*step_, state());
     }
     step_.reset();
 }
 
 void Debugger::finish(const std::string& alarm) {
     end_step();
-    if (trace_ && !alarm.empty()) {
-        buffer_.clear();
-        trace_->append_alarm(alarm, buffer_);
-        out_->write(buffer_);
-    }
     if (!alarm.empty()) return;
     warn_of(breaks_);
     warn_of(until_);
@@ -208,12 +189,10 @@ const Debugger::WatchedPoint* Debugger::find(std::vector<WatchedPoint>& points,
 
 bool Debugger::comes_to(const macro::WatchedLine& line) {
     end_step();
-    if (trace_ && !has_begun_) {
+    if (look_ && !has_begun_) {
         TraceStep begin;
         begin.file = execution_->text_name();
-        buffer_.clear();
-        trace_->append(begin, state(), buffer_);
-        out_->write(buffer_);
+        look_(begin, state());
     }
     has_begun_ = true;
     begin_step(line);

@@ -1,24 +1,29 @@
-// debugger.h — looks on while a control's program runs: writes the trace, stops at break points.
+// debugger.h — looks on while a control's program runs: shows what each block changes, stops at
+// break points.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/done.h"
 #include "driver/break_points.h"
 #include "driver/execution.h"
-#include "driver/output.h"
 #include "driver/trace.h"
 
 namespace kadr::driver {
 
 class Debugger final : public macro::LineWatch {
   public:
-    /// Null: a break point of the job is none, which is reported. `trace`: where it goes; null:
-    /// nowhere. All references outlive the debugger.
-    static std::unique_ptr<Debugger> open(Session& session, const RunJob& job, Output* trace);
+    /// Is shown every block, and the state behind it; block 0 is what the program found.
+    using Look = std::function<void(const TraceStep&, const TraceState&)>;
+
+    /// Null: a break point of the job is none, which is reported. `look` may be empty. All
+    /// references outlive the debugger.
+    static std::unique_ptr<Debugger> open(Session& session, const RunJob& job, Look look);
 
     /// What the execution is opened with, besides its map.
     void look_on(Aside& aside) {
@@ -26,11 +31,11 @@ class Debugger final : public macro::LineWatch {
         aside.changes = &changes_;
     }
     /// The execution that it looks at; before the first command is pulled.
-    void follow(Execution& execution);
+    void follow(Execution& execution) { execution_ = &execution; }
 
     bool comes_to(const macro::WatchedLine& line) override;
-    /// Writes what is left of the trace, and warns of break points that the run never came to.
-    /// `alarm`: that ended the run; empty: none.
+    /// Shows the block that was executed last, and warns of break points that the run never came
+    /// to. `alarm`: that ended the run; empty: none.
     void finish(const std::string& alarm);
 
   private:
@@ -38,7 +43,8 @@ class Debugger final : public macro::LineWatch {
         BreakPoint point;
         bool was_reached = false;
     };
-    Debugger(Session& session, const RunJob& job, Output* trace);
+    Debugger(Session& session, const RunJob& job, Look look)
+        : session_(session), job_(job), look_(std::move(look)) {}
 
     static Done take_watched_points(const std::vector<std::string>& texts,
                                     std::vector<WatchedPoint>& points, DiagnosticSink& sink);
@@ -64,8 +70,7 @@ class Debugger final : public macro::LineWatch {
 
     Session& session_;
     const RunJob& job_;
-    Output* out_;
-    std::optional<Trace> trace_;
+    Look look_;
     Execution* execution_ = nullptr;
     std::vector<WatchedPoint> breaks_;
     std::vector<WatchedPoint> until_;
@@ -80,7 +85,6 @@ class Debugger final : public macro::LineWatch {
     bool is_stepping_ = false;
     bool has_begun_ = false;
     std::string last_command_;
-    std::string buffer_;
 };
 
 }  // namespace kadr::driver

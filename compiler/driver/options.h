@@ -15,7 +15,6 @@
 
 #include "base/files.h"
 #include "motion/operator_panel.h"
-#include "plot/choices.h"
 #include "sema/check.h"
 
 namespace kadr::driver {
@@ -67,7 +66,7 @@ struct ExpandJob {
     std::string map;  // source map; empty: none
 };
 
-enum class SummaryFormat : std::uint8_t { None, Text, Json };
+enum class SummaryFormat : std::uint8_t { Text, Json };
 
 /// Somebody who looks on while a program runs.
 struct Onlooker {
@@ -78,33 +77,27 @@ struct Onlooker {
     bool reads_json = false;
 };
 
-/// Where the results of a run go; an empty name means that nobody asked.
+/// What is run, how, and what it puts out.
 struct RunJob {
     std::string source;
-    std::string commands;
-    std::string setpoints;
-    std::string plot;
-    std::string page;                // a page that plays the machine
-    std::string curves;              // position, velocity, acceleration, jerk over time, a drawing
-    plot::TimeWindow curves_window;  // … of this part of the run
-    std::string drive;               // the drives over time, a drawing; rows if `.csv`
-    std::string scanner;             // the scanner's lists of commands
-    std::string limits;  // what kept each block below its feed; rows if `.csv`, else a report
-    std::string variables;
-    std::string print;  // what the program prints
-    std::string map;
-    std::string trace;                // every block with what it changed; JSON Lines if `.jsonl`
+    /// What was asked for, by the flags of driver/outputs.h: names of files, and settings.
+    std::map<std::string, std::string, std::less<>> outputs;
     std::vector<std::string> breaks;  // points in front of which the run stops
     std::vector<std::string> until;   // … in front of which the program ends
     Onlooker onlooker;
-    SummaryFormat summary = SummaryFormat::None;
-    plot::PlotColor plot_color = plot::PlotColor::Feed;
     std::optional<bool> threads;  // planning, sampling and writing of setpoints at the same time;
                                   // nothing: with more than one processor
     double feed_override = 1;     // > 0; multiplies what the program asks for, never a limit
     double rapid_override = 1;    // > 0, at most 1
     std::string events;           // file with what the operator does meanwhile; empty: none
     std::vector<motion::OperatorEvent> operator_events;  // what else; then overrides may be 0
+
+    /// Of an output or a setting; empty: nobody asked.
+    const std::string& value_of(std::string_view flag) const {
+        static const std::string nothing;
+        const auto found = outputs.find(flag);
+        return found == outputs.end() ? nothing : found->second;
+    }
 };
 
 /// Two programs whose motion is compared, or one for two controls.

@@ -49,7 +49,7 @@ class PathCheckTest : public test::ScratchFolder {
             driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
             driver::RunJob job;
             job.source = file("part.mpf");
-            job.setpoints = file("out.csv");
+            job.outputs["--setpoints"] = file("out.csv");
             job.threads = has_threads;
             ran.status = driver::run(session, job, spoil);
         }

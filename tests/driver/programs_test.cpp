@@ -116,7 +116,7 @@ driver::Status Observation::work(bool executes, const fs::path& text, const fs::
     if (executes) {
         driver::RunJob job;
         job.source = file_.string();
-        job.commands = text.string();
+        job.outputs["--commands"] = text.string();
         return driver::run(session, job);
     }
     return driver::expand(session, {file_.string(), text.string(), map.string()});

@@ -42,7 +42,7 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"repl",
      {"base", "nc", "path", "machine", "control", "macro", "write", "interp", "motion", "process",
       "syntax", "sema", "plot", "driver"}},
-    {"cli", {"base", "nc", "machine", "plot", "driver", "repl"}},
+    {"cli", {"base", "nc", "machine", "driver", "repl"}},
 };
 
 /// Libraries that only the named files may see.
