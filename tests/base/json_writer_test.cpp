@@ -9,6 +9,8 @@
 
 #include "base/numbers.h"
 
+namespace json_writer_test {
+
 namespace {
 
 using kadr::JsonStyle;
@@ -121,3 +123,5 @@ TEST(JsonWriter, CoordinatesAreRoundedAsEverywhere) {
 }
 
 }  // namespace
+
+}  // namespace json_writer_test

@@ -11,6 +11,8 @@
 
 #include "base/text.h"
 
+namespace outputs_test {
+
 namespace {
 
 using kadr::driver::output_rows;
@@ -91,3 +93,5 @@ TEST(Outputs, ThePageOnMotionHasThem) {
 }
 
 }  // namespace
+
+}  // namespace outputs_test

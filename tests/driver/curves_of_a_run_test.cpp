@@ -5,6 +5,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace curves_of_a_run_test {
+
 namespace {
 
 using namespace kadr;
@@ -29,3 +31,5 @@ TEST_F(CurvesOfARun, AreDrawnForAWindow) {
 }
 
 }  // namespace
+
+}  // namespace curves_of_a_run_test

@@ -10,6 +10,8 @@
 
 #include "tests/driver/scratch.h"
 
+namespace outputs_test {
+
 namespace {
 
 using namespace kadr;
@@ -82,3 +84,5 @@ TEST_F(OutputTable, WithoutOutputsThereIsASummary) {
 }
 
 }  // namespace
+
+}  // namespace outputs_test

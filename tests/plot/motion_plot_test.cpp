@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace motion_plot_test {
+
 namespace {
 
 using namespace kadr;
@@ -135,3 +137,5 @@ TEST(MotionTrace, TooManyBlocksAreNotMarked) {
 }
 
 }  // namespace
+
+}  // namespace motion_plot_test

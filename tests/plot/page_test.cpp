@@ -14,6 +14,8 @@
 #include "plot/base64.h"
 #include "plot/page_trace.h"
 
+namespace page_test {
+
 namespace {
 
 using namespace kadr;
@@ -215,3 +217,5 @@ TEST(Page, FullOneStaysBelowTenMegabytes) {
 }
 
 }  // namespace
+
+}  // namespace page_test
