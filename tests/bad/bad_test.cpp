@@ -335,7 +335,7 @@ const std::string kExample = std::string(KADR_ROOT) + "/examples/bracket.kadr";
 
 const std::string kText = std::string(KADR_ROOT) + "/tests/bad/cases/sinumerik/no_feed.mpf";
 
-const std::string kPrinting = std::string(KADR_ROOT) + "/tests/control/fanuc/print.nc";
+const std::string kPrinting = std::string(KADR_ROOT) + "/tests/control/fanuc/messages/print.nc";
 
 INSTANTIATE_TEST_SUITE_P(
     Calls, WrongCall,

@@ -1,37 +1,6 @@
-// Programs in the controls' own parametric languages, one rule of the manual each.
-//
-// A program is a file below the folder of its dialect. Its comments say what must come of it:
-//   rule: F 6.3 …            the place in the manual's digest that it shows
-//   expect: #1=14            a variable at the end; `#1 vacant` or `R1 unset`: it was never set
-//   expect: to X10 Y5        the end of the next motion; if one is told, all are. Behind it may
-//   stand
-//                            rapid, line, spline, involute, cw or ccw, the centre I J K of an arc,
-//                            the feed F; under a transformation axes, cone, surface or point, the
-//                            way on which the tool turns, and O0.6,0,0.8, its direction at the end
-//   expect: path X20 x40z-30  the next motions in short, what they change: capitals at rapid, small
-//                            letters at feed, t1.5: before a thread of that lead, cw: and ccw:
-//                            before an arc, t1.5@90: where it begins at 90 deg of the spindle; f0.2
-//                            where the feed changes; X of a lathe is a diameter
-//   expect: message TEXT     the next message;  expect: stop  a stop of the program
-//   expect: dwell 0.5        the next dwell, s; if one is told, all are
-//   expect: print [TEXT]        the next line that is printed, between brackets
-//   expect: warning K5488 at 3:1  the next warning; if one is told, all are
-//   expect: alarm PS0115 K5410 at 3:4   the alarm that ends it, its row, line and column
-//   expect: fix TEXT         the fix of the first alarm or warning that has one
-//   expect: called 5:3       … and where the program of that line was called, the nearest first
-//   skip: 1                  blocks of this level are left out
-//   passes: 3                of a main program that begins itself again
-//   machine: lathe           it runs on a lathe: X is a diameter, the tools are
-//                            1 a point, 2 a nose of 0.4, 3 a groove tool of 4 mm
-//   machine: driven          a lathe with driven tools: X, Z and C without end, no Y
-//   machine: edges           a drill, tool 2, has edges 2 and 12 besides its first one
-//   machine: spindles        spindles 2 and 3 besides the first one; four-spindles: 4 as well
-//   machine: five-axis       a table that tilts about X (A) and turns about Z in it (C)
-//   machine: five-axis-by-c  … whose C tells two solutions of a swivelled plane apart
-//   machine: six-axis        a machine of runtime/machines, by its name
-//   only: sinumerik WHY      a program of SINUMERIK that AxiOMA executes otherwise
-// Programs that are called stand in the same file, or in the folder `called` beside it.
-// What is not told must not happen: a program without `alarm` ends without one.
+// Programs in the controls' own parametric languages, one rule of the manual each: where they
+// stand, and how their comments say what must come of them, is in README.md. What is not told must
+// not happen: a program without `alarm` ends without one.
 #include "base/diagnostics/control.h"
 
 #include <filesystem>
@@ -42,6 +11,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -59,8 +29,9 @@
 #include "nc/scope_words.h"
 #include "nc/tables.h"
 #include "tests/control/control_machines.h"
+#include "tests/control/control_programs.h"
 
-namespace kadr::interp::control_test {
+namespace kadr::interp {
 
 using macro::ControlVariable;
 using macro::LineWatch;
@@ -73,8 +44,6 @@ using macro::WatchedLine;
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kPrograms = fs::path(KADR_ROOT) / "tests/control";
 
 /// A text in pieces of odd sizes that cannot be read again, or in one that can.
 class PiecedText final : public nc::TextSource {
@@ -361,10 +330,11 @@ class LooksOn final : public LineWatch {
     bool comes_to(const WatchedLine&) override { return true; }
 };
 
+/// called    where the programs stand that it calls
 /// can_seek  the text can be read again. One that cannot is watched line by line, and each change
 ///           of a variable is noted: who looks on changes nothing.
 Outcome run_program(const nc::Dialect& dialect, const std::string& text, const Expected& expected,
-                    const fs::path& folder, bool can_seek) {
+                    const fs::path& called, bool can_seek) {
     const machine::Machine machine = machine_named(expected.machine, is_of_lathe(dialect));
     DiagnosticList messages;
     PiecedText source(text, can_seek);
@@ -373,7 +343,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     options.passes = expected.passes;
     options.max_turns = 20'000;
     options.max_repeated = 5'000;
-    driver::ProgramFolders files({(folder / "called").string()});
+    driver::ProgramFolders files({called.string()});
     options.files = &files;
     Outcome outcome;
     KeptLines printer(outcome.printed);
@@ -773,7 +743,7 @@ std::string roughing_of(const RandomShape& shape) {
 void check_roughing(const RandomShape& shape, double side) {
     const std::string text = roughing_of(shape);
     SCOPED_TRACE(text);
-    const Outcome outcome = run_program(dialect_named("fanuc-lathe"), text, {}, kPrograms, true);
+    const Outcome outcome = run_program(dialect_named("fanuc-lathe"), text, {}, {}, true);
     for (const Diagnostic& message : outcome.messages)
         ASSERT_NE(message.severity, Severity::Alarm) << message.message();
     ASSERT_GT(outcome.motions.size(), 3u);
@@ -822,15 +792,14 @@ TEST(LatheCycles, RoughingKeepsOffTheShape) {
 
 /// A program, and the control that executes it.
 struct Case {
-    fs::path file;
+    ControlProgram program;
     std::string dialect;
 };
 
-class Control : public ::testing::TestWithParam<Case> {};
+class Control : public testing::TestWithParam<Case> {};
 
 TEST_P(Control, DoesWhatTheManualSays) {
-    const fs::path& file = GetParam().file;
-    const std::string text = content_of(file);
+    const std::string text = content_of(GetParam().program.file);
     const Expected expected = parse(text);
     EXPECT_TRUE(expected.has_rule) << "the file names no rule";
     const bool is_on_lathe = machine_named(expected.machine, false).is_lathe;
@@ -838,52 +807,76 @@ TEST_P(Control, DoesWhatTheManualSays) {
         GetParam().dialect, is_on_lathe ? nc::MachineKind::Lathe : nc::MachineKind::Mill);
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe, with a trace");
-        check(expected, run_program(dialect, text, expected, file.parent_path(), can_seek),
+        check(expected, run_program(dialect, text, expected, GetParam().program.called(), can_seek),
               expected.machine == "lathe" || is_of_lathe(dialect));
     }
 }
 
-std::vector<fs::path> programs() {
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(kPrograms)) {
-        const fs::path folder = entry.path().parent_path();
-        if (folder.filename() == "called" || folder.filename() == "same_part") continue;
-        const std::string suffix = entry.path().extension();
-        if (suffix == ".nc" || suffix == ".mpf" || suffix == ".i") files.push_back(entry.path());
-    }
-    std::ranges::sort(files);
-    return files;
-}
-
 /// Whether a program says that it shows its own control only, and why.
-bool is_for_one_control(const fs::path& file) {
-    const std::string text = content_of(file);
-    const std::string key = "only: " + file.parent_path().filename().string() + ' ';
-    return text.find(key) != std::string::npos;
+bool is_for_one_control(const ControlProgram& program) {
+    const std::string text = content_of(program.file);
+    return text.find("only: " + program.control + ' ') != std::string::npos;
 }
 
 /// Every program on the control of its folder; those of SINUMERIK on AxiOMA, too, but for the few
 /// that show what is known to differ.
 std::vector<Case> cases() {
     std::vector<Case> all;
-    for (const fs::path& file : programs()) {
-        const std::string dialect = file.parent_path().filename();
-        all.push_back({file, dialect});
-        if (dialect == "sinumerik" && !is_for_one_control(file)) all.push_back({file, "axioma"});
+    for (const ControlProgram& program : control_programs()) {
+        all.push_back({program, program.control});
+        if (program.control == "sinumerik" && !is_for_one_control(program))
+            all.push_back({program, "axioma"});
     }
     return all;
 }
 
-std::string test_name(const ::testing::TestParamInfo<Case>& test) {
-    std::string name = test.param.dialect + '_' +
-                       test.param.file.parent_path().filename().string() + '_' +
-                       test.param.file.stem().string();
+/// The first words of the rows of a table: "| `text` | …" is `text`.
+std::set<std::string> table_heads(const std::string& page) {
+    std::set<std::string> heads;
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("| `")) heads.insert(line.substr(3, line.find('`', 3) - 3));
+    }
+    return heads;
+}
+
+/// A file that stands elsewhere would not be run, a chapter that the page does not have not be
+/// found, and of two of one name a list could not say which is meant.
+TEST(ControlPrograms, StandInChaptersOnce) {
+    const fs::path root = fs::path(KADR_ROOT) / "tests/control";
+    const std::set<std::string> chapters = table_heads(content_of(root / "README.md"));
+    EXPECT_GT(chapters.size(), 20u);
+    std::set<fs::path> known;
+    std::set<std::string> used;
+    std::set<std::pair<std::string, std::string>> names;
+    for (const ControlProgram& program : control_programs()) {
+        known.insert(program.file);
+        used.insert(program.chapter);
+        EXPECT_TRUE(chapters.contains(program.chapter)) << program.file;
+        EXPECT_TRUE(names.emplace(program.control, program.name()).second)
+            << program.file << ": another chapter of the control has this name";
+    }
+    for (const std::string& chapter : chapters)
+        EXPECT_TRUE(used.contains(chapter)) << "no control has a chapter " << chapter;
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+        const std::string path = entry.path().lexically_relative(root).string();
+        const std::string suffix = entry.path().extension();
+        if (suffix != ".nc" && suffix != ".mpf" && suffix != ".i") continue;
+        if (path.starts_with("same_part/")) continue;
+        EXPECT_TRUE(known.contains(entry.path())) << path << " stands in no chapter of a control";
+    }
+}
+
+std::string test_name(const testing::TestParamInfo<Case>& test) {
+    const ControlProgram& program = test.param.program;
+    std::string name =
+        test.param.dialect + '_' + program.control + '_' + program.chapter + '_' + program.name();
     std::ranges::replace_if(
         name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, Control, ::testing::ValuesIn(cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(cases()), test_name);
 
 }  // namespace
-}  // namespace kadr::interp::control_test
+}  // namespace kadr::interp

@@ -13,6 +13,7 @@
 
 #include "macro/program.h"
 #include "nc/tables.h"
+#include "tests/control/control_programs.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp::rows_test {
@@ -111,8 +112,8 @@ class Evidence {
         if (test == "variables") return variables_;
         if (test.starts_with("../")) return text_of_room(behind("../"));
         // The programs of SINUMERIK run on both controls.
-        const std::string own = content_of(kTests / "control" / control_ / (test + ".nc"));
-        return own.empty() ? content_of(kTests / "control/sinumerik" / (test + ".mpf")) : own;
+        const std::string own = program_text(control_, test);
+        return own.empty() ? program_text("sinumerik", test) : own;
     }
 
   private:
