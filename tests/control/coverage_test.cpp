@@ -14,6 +14,7 @@
 
 #include "macro/program.h"
 #include "tests/common/whole_text.h"
+#include "tests/golden/parts.h"
 #include "tests/interp/bench.h"
 
 namespace kadr::interp::coverage_test {
@@ -41,10 +42,7 @@ std::vector<std::string> texts_for(const nc::Dialect& dialect) {
             if (entry.is_regular_file()) texts.push_back(content_of(entry.path()));
         }
     }
-    for (const auto& entry : fs::directory_iterator(kRoot / "tests/golden/texts")) {
-        const std::string file = entry.path().filename();
-        if (file.ends_with('.' + name + ".txt")) texts.push_back(content_of(entry.path()));
-    }
+    for (const fs::path& file : golden::texts_for(name)) texts.push_back(content_of(file));
     for (const auto& entry : fs::directory_iterator(kRoot / "tests/golden/input")) {
         const std::string file = entry.path().filename();
         if (file.starts_with(name) && file.ends_with(".nc"))

@@ -13,6 +13,7 @@
 
 #include "macro/program.h"
 #include "nc/tables.h"
+#include "tests/common/held_texts.h"
 #include "tests/control/control_programs.h"
 #include "tests/interp/bench.h"
 
@@ -92,7 +93,7 @@ class Evidence {
     explicit Evidence(std::string control)
         : control_(std::move(control)),
           words_(content_of(kTests / "control/words" / (control_ + ".txt"))),
-          variables_(content_of(kTests / "control/variables" / (control_ + ".txt"))) {
+          variables_(variables_of(control_)) {
         for (const nc::Example& example : dialect().examples()) words_ += example.text + '\n';
     }
 
@@ -117,6 +118,13 @@ class Evidence {
     }
 
   private:
+    /// The lists of the control and of those that it extends.
+    static std::string variables_of(const std::string& control) {
+        std::string text;
+        for (std::string name = control; !name.empty(); name = golden::base_of(name))
+            text += content_of(kTests / "control/variables" / (name + ".txt"));
+        return text;
+    }
     /// `interp/orienting_test.cpp:NAME`: the file, if it says the name.
     static std::string text_of_room(const std::string& test) {
         const std::size_t colon = test.find(':');

@@ -23,14 +23,15 @@ TEST_P(Golden, TextPerControl) {
         const ProcessResult result =
             run_process({KADR_BINARY, "expand", GetParam().source.string(), "-d", dialect});
         EXPECT_EQ(result.status, 0) << result.err;
-        const fs::path file = fs::path(KADR_ROOT) / "tests/golden/texts" /
-                              (GetParam().name() + "." + dialect + ".txt");
+        const auto file_of = golden::files_of(GetParam().name());
         if (std::getenv("KADR_UPDATE") != nullptr) {
-            fs::create_directories(file.parent_path());
-            ASSERT_TRUE(kadr::write_file_whole(file.string(), result.out));
+            ASSERT_TRUE(golden::keep_text(dialect, result.out, file_of));
         }
+        const fs::path file = golden::held_file(dialect, file_of);
         EXPECT_EQ(kadr::read_file(file.string()).value_or("(no golden text)"), result.out)
             << "the text for " << dialect << " changed; review it and run with KADR_UPDATE=1";
+        EXPECT_FALSE(golden::stands_twice(dialect, file_of))
+            << file << " is the text of the control that " << dialect << " extends: remove it";
     }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "tests/common/held_texts.h"
 
 namespace golden {
 
@@ -67,6 +68,26 @@ inline std::vector<Part> all_parts() {
     const std::vector<Part> cycles = parts_of(fs::path(KADR_ROOT) / "tests/golden/cycles");
     parts.insert(parts.end(), cycles.begin(), cycles.end());
     return parts;
+}
+
+/// Where the text of a part for a control stands: tests/golden/texts/PART.CONTROL.txt.
+inline auto files_of(const std::string& part) {
+    return [part](const std::string& control) {
+        return fs::path(KADR_ROOT) / "tests/golden/texts" / (part + '.' + control + ".txt");
+    };
+}
+
+/// The texts of all parts that are written for a control, each its own or that of the control that
+/// it extends.
+inline std::vector<fs::path> texts_for(const std::string& control) {
+    std::vector<fs::path> files;
+    for (const Part& part : all_parts()) {
+        const std::vector<std::string> dialects = part.dialects();
+        if (std::ranges::find(dialects, control) != dialects.end())
+            files.push_back(held_file(control, files_of(part.name())));
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 template <typename Info>

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "nc/tables.h"
 #include "tests/common/scratch.h"
+#include "tests/golden/parts.h"
 #include "tests/nc/nc_testing.h"
 #include "write/writer.h"
 
@@ -25,15 +26,9 @@ struct Part {
 
 /// The parts of the golden texts for a dialect, and what they have not.
 std::vector<Part> parts_for(const std::string& dialect) {
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(KADR_ROOT "/tests/golden/texts")) {
-        if (entry.path().filename().string().ends_with('.' + dialect + ".txt"))
-            files.push_back(entry.path());
-    }
-    std::sort(files.begin(), files.end());
     constexpr std::size_t kMostBytes = 6000;  // of a part: the rest is more of the same
     std::vector<Part> parts;
-    for (const fs::path& file : files) {
+    for (const fs::path& file : golden::texts_for(dialect)) {
         std::string text = read_file(file.string()).value_or("");
         if (text.size() > kMostBytes) text.resize(text.rfind('\n', kMostBytes) + 1);
         parts.push_back({text, testing::read_blocks(shipped(dialect), text).blocks});
