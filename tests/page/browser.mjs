@@ -34,7 +34,7 @@ export class Browser {
         if (error.code !== 'ENOENT') throw error;
       }
     }
-    throw new Error(`none of ${kNames.join(', ')} is there: ./scripts/setup installs chromium`);
+    throw new Error(`none of ${kNames.join(', ')} is there: ./scripts/setup --tests installs chromium`);
   }
 
   constructor(child, profile) {
