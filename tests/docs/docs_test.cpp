@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <regex>
-#include <set>
 #include <sstream>
 #include <string>
 #include <system_error>
@@ -267,47 +266,6 @@ TEST_F(Docs, TheInventedControlsWork) {
     EXPECT_EQ(alarms, 1);
 }
 
-/// Every command with its parameters and its meaning, every cycle with its parameters.
-TEST_F(Docs, TheVocabularyIsInThePageOnDialects) {
-    std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
-    page.erase(0, page.find("## 7. The vocabulary"));
-    const std::string commands =
-        kadr::read_file(KADR_ROOT "/runtime/nc/vocabulary.def").value_or("");
-    const std::regex command(
-        R"re(\nKADR_FUNCTION\(\w+, "(\w+)", \w+, [\w |]+, "([^"]*)", "(.*)"\))re");
-    int rows = 0;
-    const auto expect_row = [&](const std::string& name, const std::string& parameters,
-                                const std::string& meaning) {
-        ++rows;
-        std::string written;
-        for (const std::string& parameter : words_of(parameters))
-            written += (written.empty() ? "`" : " `") + parameter + '`';
-        const std::size_t row = page.find("\n| `" + name + "` | ") + 1;
-        ASSERT_NE(row, 0u) << name;
-        const std::string line = page.substr(row, page.find('\n', row) - row);
-        EXPECT_NE(line.find("| " + (written.empty() ? "—" : written) + " |"), std::string::npos)
-            << line;
-        EXPECT_TRUE(line.ends_with("| " + meaning + " |")) << line << '\n' << meaning;
-    };
-    for (std::sregex_iterator at(commands.begin(), commands.end(), command), end; at != end; ++at)
-        expect_row((*at)[1], (*at)[2], (*at)[3]);
-    // One row each, with as many cells as the head of the table.
-    const std::string table = page.substr(0, page.find("| cycle | parameters |"));
-    const std::regex row(R"re(\n\| (`\w+`) \|([^\n]*)\|(?=\n))re");
-    std::set<std::string> names;
-    for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at) {
-        EXPECT_TRUE(names.insert((*at)[1]).second) << (*at)[1] << " stands twice";
-        EXPECT_EQ(std::ranges::count((*at)[2].str(), '|'), 2) << (*at)[1];
-    }
-    EXPECT_GT(rows, 80);
-    const std::string core = kadr::read_file(KADR_ROOT "/dialects/iso.xml").value_or("");
-    const std::regex cycle(R"re(<cycle name="(\w+)" parameters="([^"]*)"[^>]*meaning="([^"]*)")re");
-    rows = 0;
-    for (std::sregex_iterator at(core.begin(), core.end(), cycle), end; at != end; ++at)
-        expect_row((*at)[1], (*at)[2], (*at)[3]);
-    EXPECT_GT(rows, 20);
-}
-
 TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {
     int texts = 0;
     std::string text;
@@ -327,68 +285,6 @@ TEST_F(Docs, ThePageOnDebuggingShowsWhatIsSaid) {
     }
     EXPECT_EQ(texts, 3);
     EXPECT_TRUE(fs::exists("slot.jsonl"));
-}
-
-TEST_F(Docs, EveryRuleIsInThePageOnDialects) {
-    const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
-    std::istringstream table(kadr::read_file(KADR_ROOT "/runtime/nc/rules.def").value_or(""));
-    int rules = 0;
-    for (std::string line; std::getline(table, line);) {
-        if (!line.starts_with("KADR_RULE(")) continue;
-        ++rules;
-        const std::size_t begin = line.find(", ") + 2;
-        const std::string name = line.substr(begin, line.find(',', begin) - begin);
-        EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
-    }
-    EXPECT_GT(rules, 20);
-}
-
-TEST_F(Docs, EveryRowOfTheLanguageIsInThePageOnDialects) {
-    const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
-    const std::string file = kadr::read_file(KADR_ROOT "/runtime/nc/language.def").value_or("");
-    // The rules are named as a field, the others between quotes.
-    const std::regex row(R"re(KADR_\w+\((?:\w+, "(\w+)"|\w+, (\w+), ))re");
-    int rows = 0;
-    for (std::sregex_iterator at(file.begin(), file.end(), row), end; at != end; ++at) {
-        const std::string name = (*at)[1].matched ? (*at)[1] : (*at)[2];
-        if (name == "name" || name == "none" || name == "field") continue;
-        ++rows;
-        EXPECT_NE(page.find("| `" + name + "` |"), std::string::npos) << name;
-    }
-    EXPECT_GT(rows, 100);
-}
-
-/// An attribute of the schema stands in an example, `name="…"`, or in the text; the rows of the
-/// last table are the words of the schema.
-TEST_F(Docs, EveryAttributeOfTheSchemaIsInThePageOnDialects) {
-    const std::string page = kadr::read_file(KADR_ROOT "/docs/dialects.md").value_or("");
-    const std::string schema = kadr::read_file(KADR_ROOT "/dialects/dialect.xsd").value_or("");
-    const std::regex attribute(R"re(<xs:attribute name="(\w+)")re");
-    int attributes = 0;
-    for (std::sregex_iterator at(schema.begin(), schema.end(), attribute), end; at != end; ++at) {
-        ++attributes;
-        const std::string name = (*at)[1];
-        const bool is_there = page.find(' ' + name + "=\"") != page.npos ||
-                              page.find('`' + name + "=\"") != page.npos ||
-                              page.find('`' + name + '`') != page.npos;
-        EXPECT_TRUE(is_there) << name;
-    }
-    EXPECT_GT(attributes, 150);
-    const std::size_t table = page.find("## 11. Further attributes");
-    ASSERT_NE(table, page.npos);
-    EXPECT_EQ(page.find("## 11. Further attributes", table + 1), page.npos);
-    std::istringstream lines(page.substr(table));
-    const std::regex row(R"re(\| `(\w+)` \| `.*` \| (.*) \|)re");
-    int rows = 0;
-    for (std::string line; std::getline(lines, line);) {
-        std::smatch found;
-        if (!std::regex_match(line, found, row)) continue;
-        ++rows;
-        const std::string text = "<xs:documentation>" + found[2].str() + "</xs:documentation>";
-        const std::size_t index = schema.find("<xs:attribute name=\"" + found[1].str() + '"');
-        EXPECT_NE(schema.find(text, index), schema.npos) << line;
-    }
-    EXPECT_GT(rows, 30);
 }
 
 /// Goes through a page: files that it shows are written, commands are run, and a text right behind

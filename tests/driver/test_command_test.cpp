@@ -495,19 +495,6 @@ TEST_F(TestCommand, PropertyOfAMotion) {
                  "found with w=40mm");
 }
 
-TEST(FigureTable, IsInTheReference) {
-    const std::string text = read_file(std::string(KADR_ROOT) + "/docs/language.md").value_or("");
-    for (const sema::FigureInfo& figure : sema::all_figures()) {
-        // `| `holes` | …` or `| `inside(from, to, …)` | …`: a row with its meaning.
-        const std::string row =
-            "| `" + std::string(figure.name) + (figure.parameters.empty() ? "`" : "(");
-        const std::size_t at = text.find(row, text.find("Tests and properties\n\n"));
-        ASSERT_NE(at, std::string::npos) << figure.name;
-        const std::string line = text.substr(at, text.find('\n', at) - at);
-        EXPECT_NE(line.find(figure.meaning), std::string::npos) << line;
-    }
-}
-
 TEST_F(TestCommand, ExamplesOfTheReferenceHold) {
     const std::string text = read_file(std::string(KADR_ROOT) + "/docs/language.md").value_or("");
     const std::size_t section = text.find("Tests and properties\n\n");

@@ -11,9 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/danger_limits.h"
 #include "base/diagnostic.h"
-#include "base/numbers.h"
 #include "base/text.h"
 #include "tests/common/examples.h"
 
@@ -167,18 +165,6 @@ bool has_alarm_line(const std::string& lines, const std::string& number,
         }
     }
     return false;
-}
-
-/// The table of thresholds in the manual has a line for each, with its value and its words.
-TEST(DangerLimits, StandInTheManual) {
-    const std::string manual =
-        kadr::read_file(std::string(KADR_ROOT "/docs/warnings.md")).value_or("");
-    for (const kadr::DangerLimit& limit : kadr::kDangerLimits) {
-        const std::string line = "| `" + std::string(limit.name) + "` | " +
-                                 kadr::format_shortest(limit.value) + ' ' +
-                                 std::string(limit.unit) + ": " + std::string(limit.meaning) + " |";
-        EXPECT_NE(manual.find(line), std::string::npos) << "docs/warnings.md lacks\n" << line;
-    }
 }
 
 TEST(DiagnosticTable, EveryRowIsShownByATest) {

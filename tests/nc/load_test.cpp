@@ -16,7 +16,6 @@
 #include "nc/comment_text.h"
 #include "nc/inspect.h"
 #include "nc/lint.h"
-#include "nc/statement_holes.h"
 #include "nc/tables.h"
 #include "tests/nc/nc_testing.h"
 #include "write/check.h"
@@ -60,23 +59,6 @@ void load(Loaded& out, const std::string& text) {
     const Folder folder;
     const std::string file = folder.add("mine.xml", text);
     out.dialect = load_dialect(file, folder.search(), out.sources, out.messages);
-}
-
-/// The page on dialects has the holes of every statement as the loader checks them.
-TEST(Load, TheHolesOfStatementsAreInThePage) {
-    const std::string page = read_file(KADR_ROOT "/docs/dialects.md").value_or("");
-    int rows = 0;
-    for (std::size_t i = 0; i < all_statements().size(); ++i) {
-        const StatementInfo& row = all_statements()[i];
-        if (row.name.empty()) continue;
-        ++rows;
-        const std::string holes = shown_holes(static_cast<Statement>(i));
-        const std::string line = "\n| `" + std::string(row.name) + "` | " +
-                                 (holes.empty() ? "—" : holes) + " | " + std::string(row.meaning) +
-                                 " |\n";
-        EXPECT_NE(page.find(line), std::string::npos) << line;
-    }
-    EXPECT_GT(rows, 35);
 }
 
 TEST(Load, MistakesHaveTheirPlace) {
