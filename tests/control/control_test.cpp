@@ -31,7 +31,7 @@
 #include "tests/control/control_machines.h"
 #include "tests/control/control_programs.h"
 
-namespace kadr::interp {
+namespace kadr::interp::control_test {
 
 using macro::ControlVariable;
 using macro::LineWatch;
@@ -879,4 +879,4 @@ std::string test_name(const testing::TestParamInfo<Case>& test) {
 INSTANTIATE_TEST_SUITE_P(Programs, Control, testing::ValuesIn(cases()), test_name);
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::control_test

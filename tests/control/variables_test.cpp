@@ -19,7 +19,7 @@
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
-namespace kadr::interp {
+namespace kadr::interp::variables_test {
 
 using macro::NcProgram;
 using macro::ProgramOptions;
@@ -151,4 +151,4 @@ INSTANTIATE_TEST_SUITE_P(Dialects, Variables,
                          [](const auto& test) { return test_name(test.param); });
 
 }  // namespace
-}  // namespace kadr::interp
+}  // namespace kadr::interp::variables_test

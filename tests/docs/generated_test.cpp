@@ -15,6 +15,8 @@
 #include "tests/docs/schema_page.h"
 #include "tests/docs/table_pages.h"
 
+namespace generated_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -115,3 +117,5 @@ TEST(Generated, EveryDangerIsInThePageOnWarnings) {
 }
 
 }  // namespace
+
+}  // namespace generated_test

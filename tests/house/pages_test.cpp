@@ -13,6 +13,8 @@
 
 #include "base/text.h"
 
+namespace pages_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,3 +135,5 @@ TEST(Pages, FilesNamedForThoseWhoChangeKadrAreThere) {
 }
 
 }  // namespace
+
+}  // namespace pages_test
