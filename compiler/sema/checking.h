@@ -59,9 +59,9 @@ struct BehindWords {
 };
 
 /// Counts errors on their way to the caller's sink.
-class CountingSink final : public DiagnosticSink {
+class CheckSink final : public DiagnosticSink {
   public:
-    explicit CountingSink(DiagnosticSink& next) : next_(next) {}
+    explicit CheckSink(DiagnosticSink& next) : next_(next) {}
     void take(Diagnostic diagnostic) override {
         if (is_quiet) return;
         if (diagnostic.severity != Severity::Warning) ++errors;
@@ -141,7 +141,7 @@ struct Check {
 
     ModuleLoader& loader;
     const Sources& sources;
-    CountingSink sink;
+    CheckSink sink;
     const CheckOptions options;
 
     std::unique_ptr<Code> code;
@@ -178,20 +178,20 @@ struct Check {
 };
 
 /// While it lives, what is checked is only tried: nothing is reported or recorded.
-class Trial {
+class DryRun {
   public:
-    explicit Trial(Check& check)
+    explicit DryRun(Check& check)
         : sink_(check.sink),
           was_quiet_(std::exchange(sink_.is_quiet, true)),
-          trial_(check.record) {}
-    Trial(const Trial&) = delete;
-    Trial& operator=(const Trial&) = delete;
-    ~Trial() { sink_.is_quiet = was_quiet_; }
+          dry_run_(check.record) {}
+    DryRun(const DryRun&) = delete;
+    DryRun& operator=(const DryRun&) = delete;
+    ~DryRun() { sink_.is_quiet = was_quiet_; }
 
   private:
-    CountingSink& sink_;
+    CheckSink& sink_;
     bool was_quiet_;
-    Recorder::Trial trial_;
+    Recorder::DryRun dry_run_;
 };
 
 /// While it lives, mistakes count, whoever tries something around it.
@@ -206,7 +206,7 @@ class Finding {
     ~Finding() { sink_.is_quiet = was_quiet_; }
 
   private:
-    CountingSink& sink_;
+    CheckSink& sink_;
     bool was_quiet_;
     Recorder::Finding finding_;
 };

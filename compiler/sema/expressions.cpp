@@ -287,7 +287,7 @@ Type type_of(Check& check, ExprId id) {
     if (const auto known = check.pools.known_types.find(key);
         known != check.pools.known_types.end())
         return known->second;
-    const Trial trial(check);
+    const DryRun dry_run(check);
     const FlowState before = check.scopes.flow();
     const std::size_t instructions = check.code->instructions.size();
     const Reg mark = check.emit.mark();

@@ -242,7 +242,7 @@ namespace {
 
 /// The condition a second time: what it had to report was reported the first time.
 void jump_if_quietly(Check& check, ExprId condition, Label& top, int depth) {
-    const Trial trial(check);
+    const DryRun dry_run(check);
     jump_if(check, condition, true, top, depth);
 }
 

@@ -256,7 +256,7 @@ class PreservesCheck {
 };
 
 std::vector<nc::Function> preserved_members(Check& check, const syntax::Decl& decl) {
-    const Trial trial(check);  // words_mask has reported it
+    const DryRun dry_run(check);  // words_mask has reported it
     std::vector<nc::Function> members;
     for (const syntax::Word& word : check.ast().word_run(decl.preserves)) {
         if (named_state(check, word) != 0) continue;
@@ -272,7 +272,7 @@ std::vector<nc::Function> preserved_members(Check& check, const syntax::Decl& de
 }
 
 void check_preserves(Check& check, const FunctionDecl& function, const syntax::Decl& decl) {
-    std::optional<Trial> trial(check);  // the words were reported where they are planned
+    std::optional<DryRun> dry_run(check);  // the words were reported where they are planned
     const Flow flow = PreservesCheck(check).follow(function);
     std::map<ModalMask, nc::Function> promised;
     std::map<ModalMask, std::string> names;
@@ -288,7 +288,7 @@ void check_preserves(Check& check, const FunctionDecl& function, const syntax::D
                                                               : nc::Function::None;
         }
     }
-    trial.reset();
+    dry_run.reset();
     for (const auto& [bit, member] : promised) {
         const auto found = flow.setters.find(bit);
         if (found == flow.setters.end()) continue;

@@ -22,7 +22,7 @@ void Recorder::import(std::uint32_t file, const SourceRange& range, std::uint32_
 }
 
 SymbolId Recorder::declare(DeclaredSymbol symbol) {
-    if (trials_ > 0) return {};
+    if (dry_runs_ > 0) return {};
     const SymbolId id{static_cast<std::uint32_t>(checked_.symbols.size())};
     if (symbol.decl.is_valid()) checked_.files[symbol.file].declarations[symbol.decl.index] = id;
     checked_.symbols.push_back(std::move(symbol));
@@ -38,7 +38,7 @@ void Recorder::end_scope(SymbolId symbol, std::uint32_t end) {
 }
 
 ExpressionFacts* Recorder::facts(std::uint32_t file, syntax::ExprId id) {
-    return trials_ > 0 ? nullptr : &checked_.files[file].expressions[id.index];
+    return dry_runs_ > 0 ? nullptr : &checked_.files[file].expressions[id.index];
 }
 
 void Recorder::note_type(std::uint32_t file, syntax::ExprId id, Type type) {
@@ -62,15 +62,15 @@ void Recorder::note_givenness(std::uint32_t file, syntax::ExprId id, Givenness g
 }
 
 void Recorder::note_type_use(std::uint32_t file, syntax::TypeId id, SymbolId symbol) {
-    if (trials_ == 0) checked_.files[file].types[id.index] = symbol;
+    if (dry_runs_ == 0) checked_.files[file].types[id.index] = symbol;
 }
 
 void Recorder::note_word(std::uint32_t file, const SourceRange& range, SymbolId symbol) {
-    if (trials_ == 0) checked_.files[file].words.push_back({range, symbol});
+    if (dry_runs_ == 0) checked_.files[file].words.push_back({range, symbol});
 }
 
 void Recorder::note_plan(std::uint32_t file, syntax::StmtId id, std::uint32_t plan) {
-    if (trials_ > 0 || !id.is_valid()) return;
+    if (dry_runs_ > 0 || !id.is_valid()) return;
     std::uint32_t& first = checked_.files[file].statements[id.index].plan;
     if (first == StatementFacts::kNoPlan) first = plan;
 }

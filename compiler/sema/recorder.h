@@ -31,12 +31,12 @@ class Recorder {
     void note_plan(std::uint32_t file, syntax::StmtId id, std::uint32_t plan);
 
     /// While it lives, nothing is recorded: an expression is checked to see what it would be.
-    class Trial {
+    class DryRun {
       public:
-        explicit Trial(Recorder& recorder) : recorder_(recorder) { ++recorder_.trials_; }
-        Trial(const Trial&) = delete;
-        Trial& operator=(const Trial&) = delete;
-        ~Trial() { --recorder_.trials_; }
+        explicit DryRun(Recorder& recorder) : recorder_(recorder) { ++recorder_.dry_runs_; }
+        DryRun(const DryRun&) = delete;
+        DryRun& operator=(const DryRun&) = delete;
+        ~DryRun() { --recorder_.dry_runs_; }
 
       private:
         Recorder& recorder_;
@@ -47,21 +47,21 @@ class Recorder {
     class Finding {
       public:
         explicit Finding(Recorder& recorder)
-            : recorder_(recorder), trials_(std::exchange(recorder.trials_, 0)) {}
+            : recorder_(recorder), dry_runs_(std::exchange(recorder.dry_runs_, 0)) {}
         Finding(const Finding&) = delete;
         Finding& operator=(const Finding&) = delete;
-        ~Finding() { recorder_.trials_ = trials_; }
+        ~Finding() { recorder_.dry_runs_ = dry_runs_; }
 
       private:
         Recorder& recorder_;
-        int trials_;
+        int dry_runs_;
     };
 
   private:
     ExpressionFacts* facts(std::uint32_t file, syntax::ExprId id);
 
     Checked& checked_;
-    int trials_ = 0;
+    int dry_runs_ = 0;
 };
 
 }  // namespace kadr::sema
