@@ -19,10 +19,10 @@
 #include "sema/expressions.h"
 #include "sema/optionals.h"
 #include "sema/orienting.h"
-#include "sema/scope.h"
 #include "sema/skipped.h"
 #include "sema/statements.h"
 #include "sema/tests.h"
+#include "sema/unknown_names.h"
 #include "sema/values.h"
 #include "syntax/parse.h"
 

@@ -7,6 +7,9 @@
 #include "sema/checking.h"
 #include "sema/declarations.h"
 #include "sema/diameters.h"
+#include "sema/functions.h"
+#include "sema/globals.h"
+#include "sema/type_declarations.h"
 
 namespace kadr::sema {
 

@@ -9,9 +9,9 @@
 #include "base/diagnostics/sema.h"
 #include "sema/calls.h"
 #include "sema/checking.h"
-#include "sema/declarations.h"
 #include "sema/scope.h"
 #include "sema/statements.h"
+#include "sema/type_declarations.h"
 #include "sema/values.h"
 
 namespace kadr::sema {

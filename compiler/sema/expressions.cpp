@@ -9,7 +9,7 @@
 #include "sema/composites.h"
 #include "sema/conditions.h"
 #include "sema/convert.h"
-#include "sema/declarations.h"
+#include "sema/globals.h"
 #include "sema/lvalues.h"
 #include "sema/operators.h"
 #include "sema/optionals.h"

@@ -8,13 +8,14 @@
 #include "sema/checking.h"
 #include "sema/conditions.h"
 #include "sema/convert.h"
-#include "sema/declarations.h"
 #include "sema/expressions.h"
+#include "sema/globals.h"
 #include "sema/lvalues.h"
 #include "sema/optionals.h"
 #include "sema/scope.h"
 #include "sema/statements.h"
 #include "sema/texts.h"
+#include "sema/type_declarations.h"
 #include "sema/values.h"
 
 namespace kadr::sema {

@@ -9,11 +9,12 @@
 #include "sema/checking.h"
 #include "sema/composites.h"
 #include "sema/convert.h"
-#include "sema/declarations.h"
 #include "sema/expressions.h"
+#include "sema/globals.h"
 #include "sema/operators.h"
 #include "sema/optionals.h"
 #include "sema/scope.h"
+#include "sema/unknown_names.h"
 #include "sema/values.h"
 
 namespace kadr::sema {

@@ -19,6 +19,7 @@
 #include "sema/convert.h"
 #include "sema/operators.h"
 #include "sema/scope.h"
+#include "sema/unknown_names.h"
 #include "sema/values.h"
 #include "syntax/parse.h"
 

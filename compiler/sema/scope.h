@@ -1,4 +1,4 @@
-// scope.h — names: where they are looked for, and what is said of one that is not there.
+// scope.h — names: where they are looked for, and how they come and go.
 #pragma once
 
 #include "sema/checking.h"
@@ -10,25 +10,17 @@ struct Found {
     std::int32_t symbol = -1;    // local
     const Name* name = nullptr;  // of a file
 };
-
-void check_unambiguous(Check& check, std::string_view name, const SourceRange& range);
+/// What a name means where the check is.
 Found find(const Check& check, std::string_view name);
 /// What a Name means; it is recorded as a use.
 Found look_up(Check& check, syntax::ExprId id);
+void check_unambiguous(Check& check, std::string_view name, const SourceRange& range);
 void add_symbol(Check& check, Symbol symbol);
 void leave_scope(Check& check, const Scopes::Outer& outer);
 void report_unused(Check& check, const Symbol& symbol);
+/// Names that could be meant, sorted: of functions, or of everything else.
 std::vector<std::string_view> known_names(const Check& check, bool functions);
 /// A name that a mistake has taken away, which is reported already.
 Done require_not_lost(Check& check, std::string_view name);
-/// `=` between an address and its value, which has this many letters.
-void fix_glued(std::size_t letters, const SourceRange& range, DiagnosticBuilder& builder);
-bool is_numbered_word(const Check& check, std::string_view word);
-Done require_no_foreign_keyword(Check& check, std::string_view name, const SourceRange& range);
-bool fix_statement(Check& check, std::string_view name, const SourceRange& range,
-                   DiagnosticBuilder& builder);
-std::size_t glued_letters(Check& check, std::string_view name, const SourceRange& range);
-bool take_proposal(Check& check);
-void report_unknown(Check& check, std::string_view name, const SourceRange& range);
 
 }  // namespace kadr::sema

@@ -10,7 +10,6 @@
 #include "sema/conditions.h"
 #include "sema/contours.h"
 #include "sema/convert.h"
-#include "sema/declarations.h"
 #include "sema/empty_body.h"
 #include "sema/expressions.h"
 #include "sema/loops.h"
@@ -20,6 +19,7 @@
 #include "sema/scope.h"
 #include "sema/tests.h"
 #include "sema/texts.h"
+#include "sema/type_declarations.h"
 #include "sema/values.h"
 #include "sema/with.h"
 
