@@ -1,10 +1,12 @@
 // checking.h — one check at work: what it is given, what it makes, and who owns which state of it.
 //
-// The functions that check take a Check first and stand by subject: program.cpp (the road through a
-// program), declarations.h, scope.h (names), expressions.h, values.h, convert.h (units and
-// dimensions), optionals.h, composites.h, operators.h, conditions.h, lvalues.h, calls.h,
-// builtin_calls.h, texts.h, statements.h, loops.h, blocks.h (NC blocks), contours.h, curves.h,
-// with.h, tests.h, preserves.h, origins.h. For the room sema only.
+// The functions that check take a Check first and stand by subject: check.cpp (the road through a
+// program), declarations.h (files and their names), type_declarations.h, functions.h, globals.h;
+// scope.h and unknown_names.h; expressions.h, values.h, convert.h (units and dimensions),
+// operators.h, conditions.h, optionals.h, composites.h, lvalues.h, texts.h, origins.h; calls.h,
+// builtin_calls.h; statements.h, loops.h, with.h, preserves.h; blocks.h (NC blocks),
+// cycle_blocks.h, native_cycles.h, orienting.h, contours.h, curves.h; tests.h. For the room sema
+// only.
 #pragma once
 
 #include <memory>

@@ -5,6 +5,7 @@
 
 namespace kadr::sema {
 
+/// `while (…);`: warns of it.
 void warn_of_empty_body(Check& check, const syntax::Stmt& stmt);
 
 }  // namespace kadr::sema

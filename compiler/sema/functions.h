@@ -5,7 +5,9 @@
 
 namespace kadr::sema {
 
+/// The types of a function's parameters and result, and the registers of its parameters.
 void define_signature(Check& check, std::uint32_t function);
+/// Checks the body of a function and emits it.
 void check_function(Check& check, std::uint32_t function);
 /// A parameter as the outside needs it.
 ParameterInfo describe_parameter(Check& check, const ParameterDecl& parameter);

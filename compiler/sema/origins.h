@@ -5,10 +5,13 @@
 
 namespace kadr::sema {
 
+/// Where a number in the source seems to come from: `0.7854` is an angle in radians.
 Origin origin_of_literal(double number, std::string_view literal);
 
+/// … what an operator makes of two values.
 Origin origin_of_result(const Check& check, syntax::Operator op, const Value& left,
                         const Value& right);
+/// Warns of radians where degrees are wanted, and of their like.
 void warn_of_origin(Check& check, const Value& value, Type target, const SourceRange& range);
 
 }  // namespace kadr::sema

@@ -5,6 +5,7 @@
 
 namespace kadr::sema {
 
+/// Reports a name that nobody declares, with what it may have meant.
 void report_unknown(Check& check, std::string_view name, const SourceRange& range);
 /// A keyword of English in a file of another keyword language.
 Done require_no_foreign_keyword(Check& check, std::string_view name, const SourceRange& range);
