@@ -13,6 +13,7 @@
 #include <ctime>
 #include <vector>
 
+#include "base/disk_files.h"
 #include "machine/machine.h"
 
 namespace {
@@ -79,7 +80,7 @@ void measure(const Machine& machine) {
 
 int main() {
     const std::string folder = std::string(KADR_ROOT) + "/runtime/machines";
-    for (const MachineSummary& summary : list({folder})) {
+    for (const MachineSummary& summary : list({folder}, disk())) {
         Sources sources;
         DiagnosticList diagnostics;
         const auto machine = load_machine(summary.name, {folder}, sources, diagnostics);

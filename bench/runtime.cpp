@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/disk_files.h"
 #include "base/render.h"
 #include "base/text.h"
 #include "interp/interpreter.h"

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "base/diagnostics/driver.h"
+#include "base/disk_files.h"
 #include "cli/options.h"
 #include "cli/out_of_memory.h"
 #include "cli/progress.h"
@@ -84,7 +85,7 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
         case cli::Verb::Test: return driver::test(session, line.test);
         case cli::Verb::Format: return driver::format(session, line.sources, line.format);
         case cli::Verb::Repl:
-            return reported(session, repl::converse(line.options, session.share()));
+            return reported(session, repl::converse(line.options, session.inputs()));
         case cli::Verb::Explain: return show(session, driver::explain_message(session, line.word));
         case cli::Verb::DialectList: return show(session, driver::list_dialects(session));
         case cli::Verb::DialectCheck:
@@ -103,7 +104,8 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
 Status perform(const cli::CommandLine& line) {
     const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
     cli::ProgressLine progress(is_terminal);
-    Sources sources;
+    driver::SharedInputs inputs(disk(), driver::find_share(disk()));
+    Sources sources = inputs.new_sources();
     driver::MessageOptions options;
     options.format = line.messages;
     if (line.verb == cli::Verb::Test) options.repeats = 10000;  // each stands for another test
@@ -112,7 +114,7 @@ Status perform(const cli::CommandLine& line) {
         progress.clear();
         print(stderr, text);
     });
-    driver::Session session(line.options, driver::find_share(), sources, messages);
+    driver::Session session(line.options, inputs, sources, messages);
     if (is_terminal) session.set_progress([&](const driver::Progress& at) { progress.show(at); });
     const Status status = perform(session, line, progress);
     progress.clear();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string_view>
@@ -12,6 +11,7 @@
 
 #include "base/numbers.h"
 #include "base/unicode.h"
+#include "base/disk_files.h"
 #include "driver/amount.h"
 #include "driver/operator_events.h"
 #include "driver/outputs.h"
@@ -126,8 +126,7 @@ CLI::Validator is_assignment() {
 
 CLI::Validator is_folder() {
     const auto check = [](const std::string& name) -> std::string {
-        std::error_code error;
-        if (std::filesystem::is_directory(name, error)) return {};
+        if (disk().is_folder(name)) return {};
         return "there is no folder `" + name + "`";
     };
     return {check, ""};

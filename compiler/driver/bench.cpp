@@ -1,7 +1,6 @@
 #include "driver/bench.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "base/assert.h"
@@ -29,11 +28,10 @@ const nc::Dialect* Bench::wanted_dialect(const CallUnderTest& call, const std::s
     if (cycles_.contains(name)) {
         if (const nc::Dialect* loaded = session_.dialect(name, {})) return loaded;
     }
-    const auto known = nc::list_dialects(session_.share().dialects);
+    const auto known = nc::list_dialects(session_.share().dialects, session_.files());
     const bool is_known = std::any_of(known.begin(), known.end(),
                                       [&](const auto& summary) { return summary.name == name; });
-    std::error_code error;
-    if (is_known || std::filesystem::is_regular_file(name, error)) {
+    if (is_known || session_.files().is_file(name)) {
         if (const nc::Dialect* loaded = session_.dialect(name, {})) return loaded;
     }
     auto builder = sink_->report(diag::ControlUnknown, call.range);

@@ -30,7 +30,7 @@ using motion::Parting;
 class ComparedProgram {
   public:
     ComparedProgram(Session& session, const std::string& source, const std::string& dialect)
-        : session_(options_for_machine(session, dialect), session.share(), session.sources(),
+        : session_(options_for_machine(session, dialect), session.inputs(), session.sources(),
                    session.messages()),
           source_(source) {}
 
@@ -81,7 +81,7 @@ class ComparedProgram {
     static Options options_for_machine(Session& session, const std::string& dialect) {
         Options options = options_for(session, dialect);
         if (!options.machine.empty()) return options;
-        Session asked(options, session.share(), session.sources(), session.messages());
+        Session asked(options, session.inputs(), session.sources(), session.messages());
         options.machine = asked.stock_machine() + "-set-up";
         options.has_stand_in_tools = true;
         return options;
@@ -220,7 +220,7 @@ Status compare(Session& session, const CompareJob& job) {
     for (ComparedProgram* side : sides) side->finish();
     const Status status = session.status();
     if (status != Status::Done) return status;
-    auto output = Output::open("-", session.messages(), session.output_rules());
+    auto output = Output::open(session.files(), "-", session.messages(), session.output_rules());
     if (!output) return Status::Usage;
     output->write(job.summary == SummaryFormat::Json
                       ? comparison_json(result, sides)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "base/diagnostics/driver.h"
@@ -73,15 +72,14 @@ const sema::FunctionCode* find_cycle(const KadrProgram& program, std::string_vie
 
 }  // namespace
 
-std::vector<std::string> cycle_files(const std::string& library) {
-    std::vector<std::string> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(fs::path(library) / "cycles", error), end;
-         !error && entry != end; entry.increment(error)) {
-        if (entry->path().extension() == ".kadr") files.push_back(entry->path().string());
+std::vector<std::string> cycle_files(const std::string& library, const Files& files) {
+    std::vector<std::string> found;
+    const fs::path folder = fs::path(library) / "cycles";
+    for (const FolderEntry& entry : files.list(folder.string())) {
+        const fs::path file = folder / entry.name;
+        if (file.extension() == ".kadr") found.push_back(file.string());
     }
-    std::sort(files.begin(), files.end());
-    return files;
+    return found;
 }
 
 void CycleMessages::take(Diagnostic diagnostic) {
@@ -132,10 +130,11 @@ std::vector<std::string> LibraryCycles::files_of_control() const {
 
 /// Reading a file takes a thousandth of checking it with all that it imports.
 std::vector<std::string> LibraryCycles::files_that_declare(std::string_view cycle) const {
-    std::vector<std::string> files = cycle_files(session_.share().library);
+    std::vector<std::string> files = cycle_files(session_.share().library, session_.files());
     const std::string declaration = "\ncycle " + std::string(cycle) + '(';
     std::erase_if(files, [&](const std::string& file) {
-        return ('\n' + read_file(file).value_or("")).find(declaration) == std::string::npos;
+        const auto text = session_.files().read(file);
+        return ('\n' + (text ? *text : std::string())).find(declaration) == std::string::npos;
     });
     return files;
 }

@@ -16,7 +16,7 @@
 namespace kadr::driver {
 
 /// The files of the library's cycles, in a fixed order.
-std::vector<std::string> cycle_files(const std::string& library);
+std::vector<std::string> cycle_files(const std::string& library, const Files& files);
 
 /// Keeps the first mistake that a cycle finds in its parameters: its location is the library's, and
 /// who called the cycle knows a better one. Passes on everything else; warnings stand where the

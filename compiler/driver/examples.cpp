@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "base/diagnostics/dialect.h"
@@ -39,10 +38,10 @@ bool calls_cycle(std::string_view source, const nc::Dialect& dialect) {
 
 /// A program of this one statement. A cycle is a function of the library and has to be imported.
 std::string program_of(const nc::Example& example, const nc::Dialect& dialect,
-                       const std::string& library) {
+                       const std::string& library, const Files& files) {
     std::string text;
     if (calls_cycle(example.source, dialect)) {
-        for (const std::string& file : cycle_files(library)) {
+        for (const std::string& file : cycle_files(library, files)) {
             text += "import cycles." + std::filesystem::path(file).stem().string() + ";\n";
         }
     }
@@ -60,9 +59,9 @@ Trial run_source(Session& session, const nc::Example& example, const nc::Dialect
     // The messages of the program are about a text that nobody has written: the first one is
     // reported at the example instead.
     Messages messages(session.sources(), {}, [](std::string_view) {});
-    Session inner({}, session.share(), session.sources(), messages);
-    const FileId file =
-        session.sources().add("example", program_of(example, dialect, session.share().library));
+    Session inner({}, session.inputs(), session.sources(), messages);
+    const FileId file = session.sources().add(
+        "example", program_of(example, dialect, session.share().library, session.files()));
     const std::optional<KadrProgram> program = load_program(inner, file);
     Trial trial;
     if (program) {

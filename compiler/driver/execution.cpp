@@ -34,7 +34,8 @@ bool has_suffix(std::string_view list, std::string_view suffix) {
 std::vector<nc::DialectSummary> dialects_of_suffix(const Session& session,
                                                    std::string_view suffix) {
     std::vector<nc::DialectSummary> found;
-    for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
+    for (const nc::DialectSummary& summary :
+         nc::list_dialects(session.share().dialects, session.files())) {
         if (has_suffix(summary.suffix, suffix)) found.push_back(summary);
     }
     std::vector<nc::DialectSummary> own;
@@ -57,7 +58,7 @@ std::string dialect_of_text(Session& session, const std::string& source, std::st
     if (found.size() == 1) return found[0].name;
     // Another control's file with mistakes tells nothing about this text.
     std::erase_if(found, [&](const nc::DialectSummary& summary) {
-        return !nc::can_be_loaded(summary.name, session.share().dialects);
+        return !nc::can_be_loaded(summary.name, session.share().dialects, session.files());
     });
     if (found.empty()) return kDefaultDialect;
     if (found.size() == 1) return found[0].name;
@@ -205,15 +206,16 @@ Execution::Execution(Session& session) : session_(session), deadline_(session.op
 Execution::~Execution() = default;
 
 std::unique_ptr<FileText> open_source(Session& session, const std::string& source) {
-    auto text = FileText::open(source);
+    auto text = FileText::open(session.files(), source);
     if (!text) {
         report_unread(session.messages(), diag::FileUnreadable, {}, source,
-                      {ReadFault::Kind::Unreadable, why_unreadable(source)}, session.files());
+                      {ReadFault::Kind::Unreadable, session.files().why_unreadable(source)},
+                      session.access());
         session.mark_usage();
         return nullptr;
     }
-    session.files().allow_home_of(source);
-    session.files().note(source);
+    session.access().allow_home_of(source);
+    session.access().note(source);
     return text;
 }
 
@@ -306,7 +308,7 @@ Done Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
     }
     const std::vector<std::string>& search = session_.options().search;
     for (const std::string& folder : search) {
-        if (is_folder(folder)) continue;
+        if (session_.files().is_folder(folder)) continue;
         session_.messages()
             .report(diag::FileUnreadable)
             .arg(folder)
@@ -315,7 +317,7 @@ Done Execution::open_text(const std::string& source, std::unique_ptr<FileText> t
         return kFailed;
     }
     folders.insert(folders.end(), search.begin(), search.end());
-    called_ = std::make_unique<ProgramFolders>(std::move(folders), &session_);
+    called_ = std::make_unique<ProgramFolders>(std::move(folders), session_);
     return Done(dialect_ != nullptr);
 }
 

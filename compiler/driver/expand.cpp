@@ -34,7 +34,8 @@ Status expand(Session& session, const ExpandJob& job) {
         return refused(session);
     }
     const std::array<std::string, 2> outputs = {job.output, job.map};
-    if (!require_outputs_apart(job.source, outputs, messages)) return refused(session);
+    if (!require_outputs_apart(session.files(), job.source, outputs, messages))
+        return refused(session);
     const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
     if (target == nullptr) return session.status();
     const std::optional<KadrProgram> program =
@@ -42,8 +43,9 @@ Status expand(Session& session, const ExpandJob& job) {
     if (!program) return session.status();
 
     const OutputRules rules = session.output_rules();
-    const auto text_output = Output::open(job.output, messages, rules);
-    const auto map_output = job.map.empty() ? nullptr : Output::open(job.map, messages, rules);
+    const auto text_output = Output::open(session.files(), job.output, messages, rules);
+    const auto map_output =
+        job.map.empty() ? nullptr : Output::open(session.files(), job.map, messages, rules);
     if (!text_output || (!map_output && !job.map.empty())) return refused(session);
 
     // For a machine the text is run as well, for the dangers that are in it.

@@ -1,7 +1,6 @@
 #include "driver/file_text.h"
 
-#include <filesystem>
-#include <system_error>
+#include <utility>
 
 #include "base/text.h"
 
@@ -13,31 +12,23 @@ constexpr std::size_t kBytesAtOnce = std::size_t{1} << 16;  // bytes read at a t
 
 }  // namespace
 
-FileText::FileText(std::FILE* file) : file_(file), piece_(kBytesAtOnce) { filled_ = fill(); }
+FileText::FileText(std::unique_ptr<FileReader> file)
+    : file_(std::move(file)), piece_(kBytesAtOnce), filled_(file_->read(piece_)) {}
 
-FileText::~FileText() {
-    if (file_ != stdin) std::fclose(file_);
+std::unique_ptr<FileText> FileText::open(const Files& files, const std::string& path) {
+    std::unique_ptr<FileReader> file = files.open(path);
+    return file == nullptr ? nullptr : std::unique_ptr<FileText>(new FileText(std::move(file)));
 }
-
-std::unique_ptr<FileText> FileText::open(const std::string& path) {
-    std::error_code error;
-    if (path != "-" && std::filesystem::is_directory(path, error)) return nullptr;
-    std::FILE* file = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
-    if (file == nullptr) return nullptr;
-    return std::unique_ptr<FileText>(new FileText(file));
-}
-
-std::size_t FileText::fill() { return std::fread(piece_.data(), 1, piece_.size(), file_); }
 
 std::string_view FileText::next() {
-    if (!was_peeked_) filled_ = fill();
+    if (!was_peeked_) filled_ = file_->read(piece_);
     was_peeked_ = false;
     if (tap_) tap_({piece_.data(), filled_});
     return {piece_.data(), filled_};
 }
 
 bool FileText::seek(std::uint64_t offset) {
-    if (file_ == stdin || fseeko(file_, static_cast<off_t>(offset), SEEK_SET) != 0) return false;
+    if (!file_->seek(offset)) return false;
     was_peeked_ = false;
     filled_ = 0;
     return true;

@@ -1,13 +1,13 @@
 // file_text.h — ISO-7bit text from a file or from standard input, piece by piece.
 #pragma once
 
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/files.h"
 #include "nc/reader.h"
 
 namespace kadr::driver {
@@ -16,10 +16,7 @@ namespace kadr::driver {
 class FileText final : public nc::TextSource {
   public:
     /// `-` is standard input. Null if it cannot be read.
-    static std::unique_ptr<FileText> open(const std::string& path);
-    ~FileText() override;
-    FileText(const FileText&) = delete;
-    FileText& operator=(const FileText&) = delete;
+    static std::unique_ptr<FileText> open(const Files& files, const std::string& path);
 
     std::string_view next() override;
     bool seek(std::uint64_t offset) override;
@@ -34,10 +31,9 @@ class FileText final : public nc::TextSource {
     std::string read_all(std::size_t most);
 
   private:
-    explicit FileText(std::FILE* file);
-    std::size_t fill();
+    explicit FileText(std::unique_ptr<FileReader> file);
 
-    std::FILE* file_;
+    std::unique_ptr<FileReader> file_;
     std::vector<char> piece_;
     std::size_t filled_ = 0;
     bool was_peeked_ = true;

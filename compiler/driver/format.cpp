@@ -25,7 +25,7 @@ SourceRange first_difference(FileId file, std::string_view old, std::string_view
 }
 
 void replace(Session& session, const std::string& source, std::string_view text) {
-    const auto output = Output::open(source, session.messages());
+    const auto output = Output::open(session.files(), source, session.messages());
     if (output == nullptr) return session.mark_usage();
     output->write(text);
     if (!output->commit(session.messages())) session.mark_usage();

@@ -75,7 +75,7 @@ expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
             .machine = [this] { return session_.machine(); },
             .checks_cutters = !options.has_stand_in_tools,
             .stop = options.stop,
-            .files = &session_.files(),
+            .files = &session_.access(),
             .shown = options.shown};
 }
 

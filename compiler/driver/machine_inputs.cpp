@@ -238,10 +238,10 @@ std::optional<std::vector<macro::ProgramInputs>> machine_inputs(Session& session
     std::vector<macro::ProgramInputs> out;
     add_data(session, out);
     for (const std::string& file : session.options().variable_files) {
-        auto source = session.files().read(file);
+        auto source = session.access().read(file);
         if (!source) {
             report_unread(session.messages(), diag::FileUnreadable, {}, file, source.error(),
-                          session.files());
+                          session.access());
             session.mark_usage();
             return std::nullopt;
         }

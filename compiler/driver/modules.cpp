@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "base/diagnostics/driver.h"
@@ -33,39 +32,32 @@ std::string relative_path(std::string_view import, bool is_file) {
 }
 
 std::optional<std::string> find_in(const std::vector<std::string>& folders,
-                                   const std::string& relative) {
-    std::error_code error;
+                                   const std::string& relative, const Files& files) {
     for (const std::string& folder : folders) {
-        const fs::path candidate = (fs::path(folder) / relative).lexically_normal();
-        if (fs::is_regular_file(candidate, error)) return candidate.string();
+        std::string candidate = (fs::path(folder) / relative).lexically_normal().string();
+        if (files.is_file(candidate)) return candidate;
     }
     return std::nullopt;
 }
 
-/// One text for one file, however it is reached.
-std::string identity(const std::string& path) {
-    std::error_code error;
-    const fs::path real = fs::canonical(path, error);
-    return error ? path : real.string();
+/// Adds the names of the modules in a folder; `before` stands in front of each.
+void add_modules(const std::string& folder, const std::string& before, const Files& files,
+                 std::vector<std::string>& names) {
+    for (const FolderEntry& entry : files.list(folder)) {
+        const fs::path name = entry.name;
+        if (name.extension() == kSuffix) names.push_back(before + name.stem().string());
+    }
 }
 
 /// Names of the modules below these folders, as an import would write them.
-std::vector<std::string> module_names(const std::vector<std::string>& folders) {
+std::vector<std::string> module_names(const std::vector<std::string>& folders, const Files& files) {
     std::vector<std::string> names;
-    std::error_code error;
     for (const std::string& folder : folders) {
-        const fs::path root = folder.empty() ? fs::path(".") : fs::path(folder);
-        for (fs::directory_iterator entry(root, error), end; !error && entry != end;
-             entry.increment(error)) {
-            std::error_code ignored;
-            const std::string stem = entry->path().stem().string();
-            if (entry->path().extension() == kSuffix) names.push_back(stem);
-            if (!entry->is_directory(ignored)) continue;
-            for (fs::directory_iterator below(entry->path(), ignored); !ignored && below != end;
-                 below.increment(ignored)) {
-                if (below->path().extension() != kSuffix) continue;
-                names.push_back(stem + '.' + below->path().stem().string());
-            }
+        add_modules(folder, "", files, names);
+        for (const FolderEntry& entry : files.list(folder)) {
+            if (entry.kind != FileKind::Folder) continue;
+            const fs::path below = fs::path(folder) / entry.name;
+            add_modules(below.string(), below.stem().string() + '.', files, names);
         }
     }
     return names;
@@ -89,9 +81,9 @@ SourceWords words_of(Session& session, FileId file) {
         dialect = (folder / dialect).lexically_normal().string();
         if (dialect.find('/') == std::string::npos) dialect = "./" + dialect;
     }
-    return {session.keywords(header.language.empty() ? kDefaultLanguage : header.language,
-                             place(header.language, header.language_at)),
-            session.dialect(dialect, place(header.dialect, header.dialect_at))};
+    return {session.kept_keywords(header.language.empty() ? kDefaultLanguage : header.language,
+                                  place(header.language, header.language_at)),
+            session.kept_dialect(dialect, place(header.dialect, header.dialect_at))};
 }
 
 std::vector<std::string> Modules::folders_for(FileId from) const {
@@ -113,7 +105,7 @@ void Modules::report_missing(std::string_view import, const std::string& relativ
             (looked.empty() ? "`" : ", `") + (folder.empty() ? std::string(".") : folder) + '`';
     }
     report.note("`" + relative + "` was looked for in " + looked);
-    const std::vector<std::string> names = module_names(folders);
+    const std::vector<std::string> names = module_names(folders, session_.files());
     const std::vector<std::string_view> views(names.begin(), names.end());
     if (const auto near = nearest_name(import, views.data(), views.size())) {
         const std::string name(*near);
@@ -130,7 +122,7 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
     const bool is_prelude = import == kPrelude && !is_file;
     const std::vector<std::string> library = {session_.share().library};
     const std::optional<std::string> path =
-        find_in(is_prelude ? library : folders_for(from), relative);
+        find_in(is_prelude ? library : folders_for(from), relative, session_.files());
     if (!path) {
         report_missing(import, relative, from, location);
         return {};
@@ -138,36 +130,38 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
     const std::string key = identity(*path);
     if (const auto known = by_path_.find(key); known != by_path_.end())
         return known->second.module();
-    auto text = session_.files().read_named(*path);
-    if (text) return parse_import(session_.sources().add(*path, *std::move(text)), location);
+    auto text = session_.access().read_named(*path);
+    if (text) return take_import(*path, *std::move(text), location);
     report_unread(session_.messages(), diag::FileUnreadable, location, *path, text.error(),
-                  session_.files());
+                  session_.access());
     by_path_.emplace(key, Parsed{});
     return {};
 }
 
 /// A file may be named by mistake, or by somebody who wants to see it in messages: one that does
 /// not call itself a Kadr program is shown only if it is one.
-Modules::Module Modules::parse_import(FileId file, const SourceRange& location) {
-    const std::string name(session_.sources().name(file));
-    if (is_kadr_name(name)) return parse(file);
+Modules::Module Modules::take_import(const std::string& path, std::string content,
+                                     const SourceRange& location) {
+    FileId file;
+    if (is_kadr_name(path)) return take(path, std::move(content), session_.messages(), file);
     DiagnosticList messages;
-    const Module module = parse(file, messages);
+    const Module module = take(path, std::move(content), messages, file);
     if (!messages.has_errors()) {
         for (const Diagnostic& diagnostic : messages.all()) session_.messages().take(diagnostic);
         return module;
     }
-    session_.messages().report(diag::NoKadrText, location).arg(name);
-    by_path_[identity(name)] = {};
+    session_.messages().report(diag::NoKadrText, location).arg(path);
+    by_path_[identity(path)] = {};
     return {};
 }
 
 std::optional<std::string> Modules::library_module_of(std::string_view function) {
     const std::string head = ' ' + std::string(function) + '(';
-    for (const std::string& name : module_names({session_.share().library})) {
+    for (const std::string& name : module_names({session_.share().library}, session_.files())) {
         if (name == kInnerModule) continue;
         const fs::path path = fs::path(session_.share().library) / relative_path(name, false);
-        const std::string text = '\n' + read_file(path.string()).value_or("");
+        const auto content = session_.files().read(path.string());
+        const std::string text = '\n' + (content ? *content : std::string());
         // A declaration stands at the left margin, behind its type or `cycle`.
         for (std::size_t at = text.find(head); at != std::string::npos;
              at = text.find(head, at + 1)) {
@@ -182,10 +176,11 @@ std::optional<std::string> Modules::library_module_of(std::string_view function)
 
 /// The dialects that ship, but for the common core.
 std::vector<const nc::Dialect*> Modules::controls() {
-    if (!controls_) controls_ = nc::list_dialects(session_.share().dialects);
+    if (!controls_) controls_ = nc::list_dialects(session_.share().dialects, session_.files());
     std::vector<const nc::Dialect*> all;
     for (const nc::DialectSummary& summary : *controls_) {
-        const bool is_sound = nc::can_be_loaded(summary.name, session_.share().dialects);
+        const bool is_sound =
+            nc::can_be_loaded(summary.name, session_.share().dialects, session_.files());
         const nc::Dialect* dialect = is_sound ? session_.dialect(summary.name) : nullptr;
         if (dialect != nullptr && !dialect->is_core()) all.push_back(dialect);
     }
@@ -216,18 +211,59 @@ std::optional<sema::ModuleLoader::ControlCommand> Modules::command_of_control(
     return std::nullopt;
 }
 
-Modules::Module Modules::parse(FileId file) { return parse(file, session_.messages()); }
+/// One text for one file, however it is reached.
+std::string Modules::identity(const std::string& path) const {
+    std::string real = session_.inputs().files().real_path(path);
+    return real.empty() ? path : real;
+}
 
-Modules::Module Modules::parse(FileId file, DiagnosticSink& sink) {
+/// Nothing: the time is over, and what is missing from the tree is nobody's mistake.
+std::optional<syntax::Ast> Modules::parse(FileId file, const SourceWords& words,
+                                          DiagnosticSink& sink) {
+    session_.inputs().count_parse();
+    syntax::Ast ast = syntax::parse(session_.sources(), file, *words.keywords, *words.dialect, sink,
+                                    [this] { return session_.deadline().is_over(); });
+    if (session_.deadline().is_over()) return std::nullopt;
+    return ast;
+}
+
+Modules::Module Modules::parse_main(FileId file) {
     Parsed& parsed = by_path_[identity(std::string(session_.sources().name(file)))];
     const SourceWords words = words_of(session_, file);
     if (!words) return {};
+    std::optional<syntax::Ast> ast = parse(file, words, session_.messages());
+    if (!ast) return {};
+    parsed.own = std::make_unique<syntax::Ast>(*std::move(ast));
     parsed.dialect = words.dialect;
-    parsed.ast = std::make_unique<syntax::Ast>(
-        syntax::parse(session_.sources(), file, *words.keywords, *words.dialect, sink,
-                      [this] { return session_.deadline().is_over(); }));
-    // Whatever is missing from it now is nobody's mistake.
-    if (session_.deadline().is_over()) return {};
+    return parsed.module();
+}
+
+Modules::Module Modules::take_main(const std::string& path, std::string content, FileId& file) {
+    return take(path, std::move(content), session_.messages(), file);
+}
+
+/// The tree of a file with this content: one that is there, or a new one. `file` is its text.
+Modules::Module Modules::take(const std::string& path, std::string content, DiagnosticSink& sink,
+                              FileId& file) {
+    Parsed& parsed = by_path_[identity(path)];
+    std::shared_ptr<SharedTree> tree = session_.inputs().tree(path, content);
+    file = tree->text.file();
+    const SourceWords words = words_of(session_, file);
+    if (!words) return {};
+    if (tree->ast && tree->words != words) {
+        tree = session_.inputs().new_tree(path, std::move(content));
+        file = tree->text.file();
+    }
+    if (!tree->ast) {
+        DiagnosticList messages;
+        tree->ast = parse(file, words, messages);
+        tree->words = words;
+        tree->messages = messages.all();
+    }
+    for (const Diagnostic& message : tree->messages) sink.take(message);
+    if (!tree->ast) return {};
+    parsed.dialect = words.dialect;
+    parsed.tree = std::move(tree);
     return parsed.module();
 }
 

@@ -13,13 +13,7 @@
 
 namespace kadr::driver {
 
-/// The words that a source is written in: keywords of its language, words of its input dialect.
-/// Null where they cannot be loaded, which is reported.
-struct SourceWords {
-    const syntax::KeywordTable* keywords = nullptr;
-    const nc::Dialect* dialect = nullptr;
-    explicit operator bool() const { return keywords != nullptr && dialect != nullptr; }
-};
+/// The words of a source, as its head names them.
 SourceWords words_of(Session& session, FileId file);
 
 /// `cycles.drilling` is looked for as `cycles/drilling.kadr`, a file in quotes as it stands: beside
@@ -35,18 +29,28 @@ class Modules final : public sema::ModuleLoader {
     std::optional<ControlCycle> cycle_of_control(std::string_view word) override;
     std::optional<ControlCommand> command_of_control(std::string_view word) override;
 
-    /// Parses a text that is already among the sources, as the main file.
-    Module parse(FileId file);
+    /// The main file: a text that is among the sources of the session.
+    Module parse_main(FileId file);
+    /// … or one of the library, whose tree others may have parsed. Nothing of a main file is kept
+    /// for others.
+    Module take_main(const std::string& path, std::string content, FileId& file);
 
   private:
+    /// A file that was looked at. No tree: it could not be read or parsed.
     struct Parsed {
-        std::unique_ptr<syntax::Ast> ast;  // null: could not be read or parsed
-        const nc::Dialect* dialect = nullptr;
-        Module module() const { return {ast.get(), dialect}; }
+        std::shared_ptr<const SharedTree> tree;  // of several sessions
+        std::unique_ptr<syntax::Ast> own;        // … or of this one
+        std::shared_ptr<const nc::Dialect> dialect;
+        Module module() const {
+            if (own != nullptr) return {own.get(), dialect.get()};
+            return tree == nullptr ? Module{} : Module{&*tree->ast, dialect.get()};
+        }
     };
 
-    Module parse(FileId file, DiagnosticSink& sink);
-    Module parse_import(FileId file, const SourceRange& location);
+    Module take(const std::string& path, std::string content, DiagnosticSink& sink, FileId& file);
+    Module take_import(const std::string& path, std::string content, const SourceRange& location);
+    std::optional<syntax::Ast> parse(FileId file, const SourceWords& words, DiagnosticSink& sink);
+    std::string identity(const std::string& path) const;
     std::vector<std::string> folders_for(FileId from) const;
     void report_missing(std::string_view import, const std::string& relative, FileId from,
                         const SourceRange& location);

@@ -219,10 +219,10 @@ std::optional<OverrideSequence> override_sequence(std::string_view text, Operato
 }
 
 std::optional<RunEvents> read_events(Session& session, const std::string& file) {
-    auto text = session.files().read(file);
+    auto text = session.access().read(file);
     if (!text) {
         report_unread(session.messages(), diag::FileUnreadable, {}, file, text.error(),
-                      session.files());
+                      session.access());
         return std::nullopt;
     }
     const FileId id = session.sources().add(file, *std::move(text));

@@ -1,14 +1,11 @@
 // output.h — a result that is written whole or not at all, however long it is.
 //
-// A file grows as a neighbour of its final name and is renamed when it is complete; standard output
-// and special files get everything at the end, spooled until then. What is not committed leaves no
-// trace.
+// What is not committed leaves no trace.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,6 +13,7 @@
 
 #include "base/diagnostic.h"
 #include "base/done.h"
+#include "base/file_access.h"
 #include "base/files.h"
 
 namespace kadr::driver {
@@ -42,21 +40,16 @@ class OutputLimit {
 
 /// What an output must not do; both may be null: nothing is asked.
 struct OutputRules {
-    const Files* inputs = nullptr;  // these files are not replaced
-    OutputLimit* limit = nullptr;   // what is beyond it is not written
+    const FileAccess* inputs = nullptr;  // what was read is not replaced
+    OutputLimit* limit = nullptr;        // what is beyond it is not written
 };
 
 class Output {
   public:
     /// Prepares to write; `-` is standard output. Null, with a message, if the file cannot be
     /// written, or holds a file that was read. The rules outlive the output.
-    static std::unique_ptr<Output> open(const std::string& path, DiagnosticSink& sink,
+    static std::unique_ptr<Output> open(Files& files, const std::string& path, DiagnosticSink& sink,
                                         const OutputRules& rules = {});
-
-    Output(const Output&) = delete;
-    Output& operator=(const Output&) = delete;
-    /// Discards what was not committed.
-    ~Output();
 
     void write(std::string_view text);
     /// Replaces what was written at this byte and behind it; not more than was written.
@@ -71,27 +64,14 @@ class Output {
     bool is_standard_output() const { return name_ == "-"; }
 
   private:
-    enum class Kind : std::uint8_t { File, Spool };
-    Output(std::string name, Kind kind, const OutputRules& rules)
-        : name_(std::move(name)), kind_(kind), rules_(rules) {}
+    Output(std::string name, const OutputRules& rules) : name_(std::move(name)), rules_(rules) {}
 
-    bool put_in_place();
-    void note_fault();
     void flush();
-    bool copy_spool();
-    bool move_draft();
 
     std::string name_;
-    Kind kind_;
     OutputRules rules_;
-    std::string final_path_;            // File: symbolic links followed
-    std::string draft_;                 // File: the neighbour's name
-    bool is_nameless_ = false;          // … which it gets only at the end
-    std::FILE* stream_ = nullptr;       // File: the neighbour; Spool: where memory ends
-    std::FILE* destination_ = nullptr;  // Spool
+    std::unique_ptr<FileWriter> file_;
     std::string buffer_;
-    bool failed_ = false;
-    int fault_ = 0;  // number of the system's first error
 };
 
 }  // namespace kadr::driver

@@ -11,7 +11,7 @@
 namespace kadr::driver {
 
 /// No output is the source and no two are the same file; empty names are nobody's.
-Done require_outputs_apart(const std::string& source, std::span<const std::string> outputs,
-                           DiagnosticSink& sink);
+Done require_outputs_apart(const Files& files, const std::string& source,
+                           std::span<const std::string> outputs, DiagnosticSink& sink);
 
 }  // namespace kadr::driver

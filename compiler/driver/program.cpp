@@ -1,5 +1,6 @@
 #include "driver/program.h"
 
+#include <functional>
 #include <utility>
 
 #include "base/diagnostics/driver.h"
@@ -32,18 +33,21 @@ Done require_time(Session& session, FileId file) {
     return kFailed;
 }
 
-std::optional<KadrProgram> checked(Session& session, FileId file) {
+/// Where the tree of the main file comes from. `file` is its text.
+using TakeMain = std::function<Modules::Module(Modules& modules, FileId& file)>;
+
+std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main) {
     const std::size_t errors_before = session.messages().errors();
     KadrProgram program;
-    program.file = file;
     program.modules = std::make_unique<Modules>(session);
-    const auto [ast, dialect] = program.modules->parse(file);
+    FileId& file = program.file;
+    const auto [ast, dialect] = take_main(*program.modules, file);
     if (ast == nullptr) {
         (void)require_time(session, file);  // beside what the parser has reported
         return std::nullopt;
     }
     sema::CheckOptions options = session.options().check;
-    options.files = &session.files();
+    options.files = &session.access();
     options.is_over = [&session] { return session.deadline().is_over(); };
     sema::CheckResult result = sema::check(*ast, *dialect, *program.modules, session.sources(),
                                            session.messages(), options);
@@ -58,18 +62,23 @@ std::optional<KadrProgram> checked(Session& session, FileId file) {
 
 std::optional<KadrProgram> load_program(Session& session, const std::string& path,
                                         const std::string& beside, const SourceRange& location) {
-    auto text = session.files().read_named(path, beside);
+    auto text = session.access().read_named(path, beside);
     if (!text) {
         report_unread(session.messages(), diag::FileUnreadable, location, path, text.error(),
-                      session.files());
+                      session.access());
         return std::nullopt;
     }
-    return checked(session, session.sources().add(path, *std::move(text)));
+    return checked(session, [&](Modules& modules, FileId& file) {
+        return modules.take_main(path, *std::move(text), file);
+    });
 }
 
-std::optional<KadrProgram> load_program(Session& session, FileId file) {
-    session.files().allow_home_of(std::string(session.sources().name(file)));
-    return checked(session, file);
+std::optional<KadrProgram> load_program(Session& session, FileId main) {
+    session.access().allow_home_of(std::string(session.sources().name(main)));
+    return checked(session, [main](Modules& modules, FileId& file) {
+        file = main;
+        return modules.parse_main(main);
+    });
 }
 
 }  // namespace kadr::driver

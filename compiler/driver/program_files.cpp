@@ -9,34 +9,22 @@
 
 namespace kadr::driver {
 
-namespace fs = std::filesystem;
-
-bool is_folder(const std::string& path) {
-    std::error_code error;
-    return fs::is_directory(path, error);
-}
-
-const std::vector<ProgramFolders::Entry>& ProgramFolders::entries(const std::string& folder) {
-    const auto known = entries_.find(folder);
-    if (known != entries_.end()) return known->second;
-    std::vector<Entry>& found = entries_[folder];
-    std::error_code error;
-    const auto end = fs::directory_iterator();
-    for (auto entry = fs::directory_iterator(folder, error); !error && entry != end;
-         entry.increment(error)) {
-        std::error_code unreadable;
-        if (entry->is_regular_file(unreadable))
-            found.push_back({entry->path().filename().string(), entry->path().string()});
+const std::vector<std::string>& ProgramFolders::names_in(const std::string& folder) {
+    const auto known = names_.find(folder);
+    if (known != names_.end()) return known->second;
+    std::vector<std::string>& found = names_[folder];
+    for (FolderEntry& entry : session_.files().list(folder)) {
+        if (entry.kind == FileKind::File) found.push_back(std::move(entry.name));
     }
-    std::ranges::sort(found, {}, &Entry::name);
     return found;
 }
 
 /// No link may lead away from the folders of programs.
 Done ProgramFolders::require_readable(const std::string& file) {
-    if (session_ == nullptr || session_->files().may_be_read(file)) return kDone;
-    report_unread(session_->messages(), diag::FileUnreadable, {}, file,
-                  session_->files().fault_elsewhere(file), session_->files());
+    const FileAccess& access = session_.access();
+    if (access.may_be_read(file)) return kDone;
+    report_unread(session_.messages(), diag::FileUnreadable, {}, file, access.fault_elsewhere(file),
+                  access);
     return kFailed;
 }
 
@@ -47,20 +35,21 @@ std::optional<macro::ProgramFiles::File> ProgramFolders::open(const nc::Dialect&
     const bool is_number =
         std::ranges::all_of(program, [](char c) { return c >= '0' && c <= '9'; });
     for (const std::string& folder : folders_) {
-        const std::vector<Entry>& names = entries(folder);
+        const std::vector<std::string>& names = names_in(folder);
         for (const nc::ProgramPattern& pattern : tables.language.calls.files) {
             if (pattern.is_number && !is_number) continue;
             if (!kind.empty() && nc::kind_of(pattern) != kind) continue;
-            const auto is_wanted = [&](const Entry& entry) {
-                return nc::match_program(pattern, entry.name, tables.notation.ignores_case, true) ==
+            const auto is_wanted = [&](const std::string& name) {
+                return nc::match_program(pattern, name, tables.notation.ignores_case, true) ==
                        program;
             };
             const auto found = std::ranges::find_if(names, is_wanted);
             if (found == names.end()) continue;
-            if (!require_readable(found->path)) continue;
-            auto text = FileText::open(found->path);
-            if (text && session_ != nullptr) session_->files().note(found->path);
-            if (text) return File{found->path, std::move(text)};
+            const std::string path = (std::filesystem::path(folder) / *found).string();
+            if (!require_readable(path)) continue;
+            auto text = FileText::open(session_.files(), path);
+            if (text) session_.access().note(path);
+            if (text) return File{path, std::move(text)};
         }
     }
     return std::nullopt;

@@ -15,28 +15,21 @@ namespace kadr::driver {
 class ProgramFolders final : public macro::ProgramFiles {
   public:
     /// folders  in the order in which they are searched
-    /// session  knows what may be read, and notes what was; null: anything
-    explicit ProgramFolders(std::vector<std::string> folders, Session* session = nullptr)
+    /// session  knows what may be read, and notes what was
+    ProgramFolders(std::vector<std::string> folders, Session& session)
         : session_(session), folders_(std::move(folders)) {}
 
     std::optional<File> open(const nc::Dialect& dialect, const std::string& program,
                              const std::string& kind) override;
 
   private:
-    struct Entry {
-        std::string name;
-        std::string path;
-    };
-    const std::vector<Entry>& entries(const std::string& folder);
+    const std::vector<std::string>& names_in(const std::string& folder);
 
     Done require_readable(const std::string& file);
 
-    Session* session_;
+    Session& session_;
     std::vector<std::string> folders_;
-    std::map<std::string, std::vector<Entry>> entries_;  // of the folders that were looked at
+    std::map<std::string, std::vector<std::string>> names_;  // of files, by folder
 };
-
-/// Whether a folder can be looked through.
-bool is_folder(const std::string& path);
 
 }  // namespace kadr::driver

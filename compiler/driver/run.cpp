@@ -184,7 +184,7 @@ Done Run::open_outputs(bool is_kadr) {
         asked.push_back(&row);
         names.push_back(std::move(name));
     }
-    if (!require_outputs_apart(job_.source, names, messages)) return kFailed;
+    if (!require_outputs_apart(session_.files(), job_.source, names, messages)) return kFailed;
     for (const OutputRow* row : asked) {
         if (row->kind != OutputRow::Kind::FileOfExpansion || is_kadr) continue;
         messages.report(diag::NoSourceMap).arg(job_.source);
@@ -200,7 +200,7 @@ Done Run::open_outputs(bool is_kadr) {
 Done Run::open_output(const OutputRow& row, const std::string& name) {
     OpenOutput open;
     open.row = &row;
-    open.file = Output::open(name, session_.messages(), session_.output_rules());
+    open.file = Output::open(session_.files(), name, session_.messages(), session_.output_rules());
     if (!open.file) return kFailed;
     open.output = row.make({session_, job_, *open.file});
     open.wants = open.output->wants();
@@ -410,7 +410,7 @@ Done Run::open_machine_output() {
         name.replace(at, kProgram.size(), program);
     // A machine file may come from somebody else: it writes where the command was given, no
     // farther.
-    Files here;
+    FileAccess here(session_.files());
     here.allow(".");
     if (!here.may_be_read(name)) {
         session_.messages()
@@ -421,7 +421,8 @@ Done Run::open_machine_output() {
     }
     std::vector<std::string> names = {name};
     for (const OpenOutput& open : outputs_) names.push_back(open.file->name());
-    if (!require_outputs_apart(job_.source, names, session_.messages())) return kFailed;
+    if (!require_outputs_apart(session_.files(), job_.source, names, session_.messages()))
+        return kFailed;
     return open_output(row, name);
 }
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
-#include <vector>
 
+#include "base/assert.h"
 #include "base/diagnostics/driver.h"
 #include "base/text.h"
 #include "driver/pipeline_stages.h"
-#include "nc/dialect_on_machine.h"
 
 namespace kadr::driver {
 
@@ -17,38 +16,23 @@ namespace {
 constexpr const char* kStockMachine = "mill";
 constexpr const char* kStockLathe = "lathe";
 
-/// Loads on first use; a failure is remembered too, so that it is reported once.
-template <typename T, typename Load>
-const T* load_once(std::map<std::string, std::unique_ptr<T>>& loaded, const std::string& name,
-                   const Load& load) {
-    const auto known = loaded.find(name);
-    if (known != loaded.end()) return known->second.get();
-    std::optional<T> fresh = load();
-    auto owned = fresh ? std::make_unique<T>(std::move(*fresh)) : nullptr;
-    return loaded.emplace(name, std::move(owned)).first->second.get();
-}
-
-/// Keeps what a loader reports until it is known whether it read only what may be read.
-class HeldSink final : public DiagnosticSink {
+/// A loader knows only that a file could not be read; this tells why.
+class ReasonSink final : public DiagnosticSink {
   public:
-    void take(Diagnostic diagnostic) override { held_.push_back(std::move(diagnostic)); }
-    void release_to(DiagnosticSink& next) {
-        for (Diagnostic& diagnostic : held_) {
-            report_why(diagnostic);
-            next.take(std::move(diagnostic));
+    ReasonSink(const Files& files, DiagnosticSink& next) : files_(files), next_(next) {}
+
+    void take(Diagnostic diagnostic) override {
+        if (diagnostic.row == &diag::FileUnreadable && !diagnostic.arguments.empty()) {
+            std::string why = files_.why_unreadable(diagnostic.arguments[0]);
+            if (why.empty()) why = "it holds more than " + bytes_text(Files::kMostBytes);
+            diagnostic.notes.insert(diagnostic.notes.begin(), {{}, std::nullopt, std::move(why)});
         }
+        next_.take(std::move(diagnostic));
     }
 
   private:
-    /// The loader knows only that a file could not be read.
-    static void report_why(Diagnostic& diagnostic) {
-        if (diagnostic.row != &diag::FileUnreadable || diagnostic.arguments.empty()) return;
-        std::string why = why_unreadable(diagnostic.arguments[0]);
-        if (why.empty()) why = "it holds more than " + bytes_text(Files::kMostBytes);
-        diagnostic.notes.insert(diagnostic.notes.begin(), {{}, std::nullopt, std::move(why)});
-    }
-
-    std::vector<Diagnostic> held_;
+    const Files& files_;
+    DiagnosticSink& next_;
 };
 
 /// Notes where something was asked for that is not there: a location in a source, or an option.
@@ -76,65 +60,83 @@ class OriginSink final : public DiagnosticSink {
 
 }  // namespace
 
-Session::Session(Options options, Share share, Sources& sources, Messages& messages)
+Session::Session(Options options, SharedInputs& inputs, Sources& sources, Messages& messages)
     : options_(std::move(options)),
-      share_(std::move(share)),
+      inputs_(inputs),
       sources_(sources),
       messages_(messages),
-      files_(options_.max_input),
+      access_(inputs.files(), options_.max_input),
       deadline_(options_.max_time),
       output_limit_(options_.max_output) {
-    for (const std::string& folder : options_.allow_read) files_.allow(folder);
-    for (const std::string& folder : options_.folders) files_.allow(folder);
-    for (const std::string& folder : options_.search) files_.allow(folder);
-    files_.allow(share_.library);
-    for (const auto* folders : {&share_.dialects, &share_.languages, &share_.machines})
-        for (const std::string& folder : *folders) files_.allow(folder);
+    KADR_ASSERT(sources.shared() == &inputs.sources(), "a session whose texts are not shared");
+    for (const std::string& folder : options_.allow_read) access_.allow(folder);
+    for (const std::string& folder : options_.folders) access_.allow(folder);
+    for (const std::string& folder : options_.search) access_.allow(folder);
+    access_.allow(share().library);
+    for (const auto* folders : {&share().dialects, &share().languages, &share().machines})
+        for (const std::string& folder : *folders) access_.allow(folder);
 }
 
-/// All texts from this one on, which a loader has read, are ones that it may read; they are noted.
-/// `beside`: the file that the user named; empty: a source named it, at `location`.
-Done Session::admit(std::size_t first, const std::string& beside, const SourceRange& location) {
+/// A loader has read this file, and may; it is noted. `beside`: the file that the user named;
+/// empty: a source named it, at `location`.
+Done Session::admit(const std::string& file, const std::string& beside,
+                    const SourceRange& location) {
+    access_.note(file);
+    if (file == beside || is_of_share(file) || access_.may_be_read(file, beside)) return kDone;
+    report_unread(messages_, diag::FileUnreadable, location, file, access_.fault_elsewhere(file),
+                  access_);
+    return kFailed;
+}
+
+/// … all texts from this one on, which the user named.
+Done Session::admit_since(std::size_t first, const std::string& beside) {
     for (std::size_t i = first; i < sources_.size(); ++i) {
-        const std::string name(sources_.name(FileId{static_cast<std::uint32_t>(i)}));
-        files_.note(name);
-        if (name == beside || is_of_share(name) || files_.may_be_read(name, beside)) continue;
-        report_unread(messages_, diag::FileUnreadable, location, name, files_.fault_elsewhere(name),
-                      files_);
-        return kFailed;
+        if (!admit(std::string(sources_.name(sources_.nth(i))), beside, {})) return kFailed;
     }
     return kDone;
+}
+
+/// What was loaded, if this session may read all that it was made from; its messages are reported.
+template <typename T>
+std::shared_ptr<const T> Session::admit_load(const SharedLoad<T>& load, const std::string& beside,
+                                             const SourceRange& location, std::string_view option) {
+    for (const SharedText& text : load->texts) {
+        if (!admit(std::string(sources_.name(text.file())), beside, location)) return nullptr;
+    }
+    ReasonSink reasons(files(), messages_);
+    OriginSink sink(reasons, location, option);
+    for (const Diagnostic& message : load->messages) sink.take(message);
+    if (!load->value) return nullptr;
+    return std::shared_ptr<const T>(load, &*load->value);
 }
 
 /// Whether a file stands in a folder of Kadr's own, where a link is as good as the file.
 bool Session::is_of_share(const std::string& name) const {
     if (name.find("..") != std::string::npos) return false;
     const auto holds = [&](const std::string& folder) { return name.starts_with(folder + '/'); };
-    return holds(share_.library) || std::ranges::any_of(share_.dialects, holds) ||
-           std::ranges::any_of(share_.languages, holds) ||
-           std::ranges::any_of(share_.machines, holds);
+    return holds(share().library) || std::ranges::any_of(share().dialects, holds) ||
+           std::ranges::any_of(share().languages, holds) ||
+           std::ranges::any_of(share().machines, holds);
 }
 
-const nc::Dialect* Session::dialect(const std::string& name_or_file, const SourceRange& location) {
+std::shared_ptr<const nc::Dialect> Session::kept_dialect(const std::string& name_or_file,
+                                                         const SourceRange& location) {
     const bool is_option = name_or_file == options_.dialect;
     // Without an option the machine is a lathe where the control is one by itself.
     const bool is_lathe = !options_.machine.empty() && machine() != nullptr && machine()->is_lathe;
     const auto kind = is_lathe ? nc::MachineKind::Lathe : nc::MachineKind::Mill;
-    return load_once(dialects_, name_or_file, [&]() -> std::optional<nc::Dialect> {
-        const std::size_t first = sources_.size();
-        HeldSink held;
-        OriginSink sink(held, location, is_option ? "-d" : "");
-        auto fresh = nc::load_dialect_for(kind, name_or_file, share_.dialects, sources_, sink);
-        const bool is_named = is_option || !location.file.is_valid();
-        if (!admit(first, is_named ? name_or_file : std::string(), location)) return std::nullopt;
-        held.release_to(messages_);
-        // The files of its cycles belong to it, whether this run calls one or not.
-        if (fresh) {
-            for (const nc::CycleInfo& cycle : fresh->cycles())
-                if (!cycle.file.empty()) files_.note(cycle.file);
-        }
-        return fresh;
-    });
+    const auto known = dialects_.find(name_or_file);
+    if (known != dialects_.end()) return known->second;
+    const bool is_named = is_option || !location.file.is_valid();
+    const std::string beside = is_named ? name_or_file : std::string();
+    auto dialect =
+        admit_load(inputs_.dialect(kind, name_or_file), beside, location, is_option ? "-d" : "");
+    // The files of its cycles belong to it, whether this run calls one or not.
+    if (dialect != nullptr) {
+        for (const nc::CycleInfo& cycle : dialect->cycles())
+            if (!cycle.file.empty()) access_.note(cycle.file);
+    }
+    return dialects_[name_or_file] = std::move(dialect);
 }
 
 const nc::Dialect* Session::chosen_dialect(const std::string& otherwise) {
@@ -144,17 +146,11 @@ const nc::Dialect* Session::chosen_dialect(const std::string& otherwise) {
     return chosen;
 }
 
-const syntax::KeywordTable* Session::keywords(const std::string& name_or_file,
-                                              const SourceRange& location) {
-    return load_once(keywords_, name_or_file, [&]() -> std::optional<syntax::KeywordTable> {
-        const std::size_t first = sources_.size();
-        HeldSink held;
-        OriginSink sink(held, location, "");
-        auto fresh = syntax::load_keywords(name_or_file, share_.languages, sources_, sink);
-        if (!admit(first, "", location)) return std::nullopt;
-        held.release_to(messages_);
-        return fresh;
-    });
+std::shared_ptr<const syntax::KeywordTable> Session::kept_keywords(const std::string& name_or_file,
+                                                                   const SourceRange& location) {
+    const auto known = keywords_.find(name_or_file);
+    if (known != keywords_.end()) return known->second;
+    return keywords_[name_or_file] = admit_load(inputs_.keywords(name_or_file), "", location, "");
 }
 
 std::string Session::stock_machine() {
@@ -166,22 +162,24 @@ std::string Session::stock_machine() {
 nc::InspectedDialect Session::inspect_dialect(const std::string& name_or_file,
                                               DiagnosticSink& found) {
     const std::size_t first = sources_.size();
-    HeldSink held;
+    DiagnosticList held;  // until it is known whether only files were read that may be
     nc::InspectedDialect inspected =
-        nc::inspect_dialect(name_or_file, share_.dialects, sources_, held);
-    if (!admit(first, name_or_file, {})) return {};
-    held.release_to(found);
+        nc::inspect_dialect(name_or_file, share().dialects, sources_, held);
+    if (!admit_since(first, name_or_file)) return {};
+    ReasonSink reasons(files(), found);
+    for (const Diagnostic& message : held.all()) reasons.take(message);
     return inspected;
 }
 
 std::optional<machine::DescribedMachine> Session::load_machine(const std::string& name_or_file,
                                                                std::string_view option) {
     const std::size_t first = sources_.size();
-    HeldSink held;
-    OriginSink sink(held, {}, option);
-    auto fresh = machine::load_described_machine(name_or_file, share_.machines, sources_, sink);
-    if (!admit(first, name_or_file, {})) return std::nullopt;
-    held.release_to(messages_);
+    DiagnosticList held;
+    auto fresh = machine::load_described_machine(name_or_file, share().machines, sources_, held);
+    if (!admit_since(first, name_or_file)) return std::nullopt;
+    ReasonSink reasons(files(), messages_);
+    OriginSink sink(reasons, {}, option);
+    for (const Diagnostic& message : held.all()) sink.take(message);
     return fresh;
 }
 
@@ -190,16 +188,14 @@ const machine::Machine* Session::machine() {
         machine_was_loaded_ = true;
         const bool is_option = !options_.machine.empty();
         const std::string_view option = is_option ? "-m" : "";
-        auto fresh = load_machine(is_option ? options_.machine : stock_machine(), option);
+        const std::string name = is_option ? options_.machine : stock_machine();
+        auto loaded = admit_load(inputs_.machine(name), name, {}, option);
         OriginSink sink(messages_, {}, option);
-        if (fresh && !require_modules(fresh->machine, sink)) fresh.reset();
-        if (!fresh) mark_usage();
-        if (fresh) {
-            machine_ = std::make_unique<machine::Machine>(std::move(fresh->machine));
-            machine_data_ = std::move(fresh->data);
-        }
+        if (loaded != nullptr && !require_modules(loaded->machine, sink)) loaded.reset();
+        if (loaded == nullptr) mark_usage();
+        machine_ = std::move(loaded);
     }
-    return machine_.get();
+    return machine_ == nullptr ? nullptr : &machine_->machine;
 }
 
 Done Session::require_output_room() {
@@ -214,7 +210,7 @@ Done Session::require_output_room() {
 
 std::string Session::output_name(FileId file) const {
     const std::string_view name = sources_.name(file);
-    const std::string library = share_.library + '/';
+    const std::string library = share().library + '/';
     if (!name.starts_with(library)) return std::string(name);
     return "stdlib/" + std::string(name.substr(library.size()));
 }

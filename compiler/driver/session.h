@@ -1,8 +1,9 @@
-// session.h — what everything that is done in one go shares: options, sources, dialects, machine,
-// sink.
+// session.h — what one command has for itself: options, its texts, its sink, what it may read and
+// write; and its view of what commands share.
 //
-// The command line makes one for a command; the prompt and the language server keep one. Nothing
-// here prints: messages go to the sink, results to outputs.
+// The command line makes one for a command; the prompt and the language server one for each input
+// or check, upon the same shared inputs. Nothing here prints: messages go to the sink, results to
+// outputs.
 #pragma once
 
 #include <functional>
@@ -12,13 +13,14 @@
 
 #include "base/diagnostic.h"
 #include "base/done.h"
-#include "base/files.h"
+#include "base/file_access.h"
 #include "base/source.h"
 #include "driver/deadline.h"
 #include "driver/messages.h"
 #include "driver/options.h"
 #include "driver/output.h"
 #include "driver/share.h"
+#include "driver/shared_inputs.h"
 #include "machine/described_machine.h"
 #include "machine/machine.h"
 #include "nc/dialect.h"
@@ -36,21 +38,24 @@ struct Progress {
 
 class Session {
   public:
-    /// `sources` and `messages` outlive the session.
-    Session(Options options, Share share, Sources& sources, Messages& messages);
+    /// All references outlive the session. `sources` are new ones of the inputs.
+    Session(Options options, SharedInputs& inputs, Sources& sources, Messages& messages);
 
     const Options& options() const { return options_; }
-    const Share& share() const { return share_; }
+    SharedInputs& inputs() { return inputs_; }
+    const Share& share() const { return inputs_.share(); }
     Sources& sources() { return sources_; }
     const Sources& sources() const { return sources_; }
     Messages& messages() { return messages_; }
-    /// What may be read, and what was.
-    Files& files() { return files_; }
-    const Files& files() const { return files_; }
+    /// Where texts come from, and where results go.
+    Files& files() const { return inputs_.files(); }
+    /// Which of them may be read, and which were.
+    FileAccess& access() { return access_; }
+    const FileAccess& access() const { return access_; }
     /// How long the command may compute, from its beginning on.
     const Deadline& deadline() const { return deadline_; }
     /// For all outputs of the command.
-    OutputRules output_rules() { return {&files_, &output_limit_}; }
+    OutputRules output_rules() { return {&access_, &output_limit_}; }
     const OutputLimit& output_limit() const { return output_limit_; }
     /// The outputs are no larger than they may be; if they are, it is reported once. Asked by one
     /// thread.
@@ -64,7 +69,12 @@ class Session {
 
     /// A dialect by name or file; each is loaded once. Null, with messages, if it has mistakes.
     /// `location`: where a source names it, for the message that there is none; invalid: nowhere.
-    const nc::Dialect* dialect(const std::string& name_or_file, const SourceRange& location = {});
+    const nc::Dialect* dialect(const std::string& name_or_file, const SourceRange& location = {}) {
+        return kept_dialect(name_or_file, location).get();
+    }
+    /// … for somebody who keeps it longer than the session.
+    std::shared_ptr<const nc::Dialect> kept_dialect(const std::string& name_or_file,
+                                                    const SourceRange& location);
     /// A dialect that is looked at for its mistakes, which go to `found`; nothing in it, if its
     /// files may not be read.
     nc::InspectedDialect inspect_dialect(const std::string& name_or_file, DiagnosticSink& found);
@@ -74,7 +84,11 @@ class Session {
                                                           std::string_view option = {});
     /// A keyword language by name or file, likewise.
     const syntax::KeywordTable* keywords(const std::string& name_or_file,
-                                         const SourceRange& location = {});
+                                         const SourceRange& location = {}) {
+        return kept_keywords(name_or_file, location).get();
+    }
+    std::shared_ptr<const syntax::KeywordTable> kept_keywords(const std::string& name_or_file,
+                                                              const SourceRange& location);
     /// The dialect of the options or, if they name none, `otherwise`. A failure is wrong usage.
     const nc::Dialect* chosen_dialect(const std::string& otherwise);
     /// The stock machine for the dialect of the options: a lathe for the control of a lathe.
@@ -82,7 +96,10 @@ class Session {
     /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
     const machine::Machine* machine();
     /// What it gives to programs; behind `machine`, which has loaded it.
-    const machine::MachineData& machine_data() const { return machine_data_; }
+    const machine::MachineData& machine_data() const {
+        static const machine::MachineData none;
+        return machine_ == nullptr ? none : machine_->data;
+    }
 
     /// Called now and then while a long command works.
     void set_progress(std::function<void(const Progress&)> progress) {
@@ -100,19 +117,23 @@ class Session {
 
   private:
     bool is_of_share(const std::string& name) const;
-    Done admit(std::size_t first, const std::string& beside, const SourceRange& location);
+    Done admit(const std::string& file, const std::string& beside, const SourceRange& location);
+    Done admit_since(std::size_t first, const std::string& beside);
+    template <typename T>
+    std::shared_ptr<const T> admit_load(const SharedLoad<T>& load, const std::string& beside,
+                                        const SourceRange& location, std::string_view option);
 
     Options options_;
-    Share share_;
+    SharedInputs& inputs_;
     Sources& sources_;
     Messages& messages_;
-    Files files_;
+    FileAccess access_;
     Deadline deadline_;
     OutputLimit output_limit_;
-    std::map<std::string, std::unique_ptr<nc::Dialect>> dialects_;
-    std::map<std::string, std::unique_ptr<syntax::KeywordTable>> keywords_;
-    std::unique_ptr<machine::Machine> machine_;
-    machine::MachineData machine_data_;
+    // Each is looked for once; null: it has mistakes, which have been reported.
+    std::map<std::string, std::shared_ptr<const nc::Dialect>> dialects_;
+    std::map<std::string, std::shared_ptr<const syntax::KeywordTable>> keywords_;
+    std::shared_ptr<const machine::DescribedMachine> machine_;
     bool machine_was_loaded_ = false;
     bool is_usage_ = false;
     std::function<void(const Progress&)> progress_;

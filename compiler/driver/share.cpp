@@ -2,25 +2,15 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <system_error>
 
 namespace kadr::driver {
 
-namespace {
-
-bool is_folder(const std::filesystem::path& path) {
-    std::error_code ignored;
-    return std::filesystem::is_directory(path, ignored);
-}
-
-}  // namespace
-
-Share share_below(const std::string& root) {
+Share share_below(const std::string& root, const Files& files) {
     const std::filesystem::path base(root);
     Share share;
     share.dialects = {(base / "dialects").string()};
     share.languages = {(base / "dialects" / "languages").string()};
-    const bool is_source_tree = is_folder(base / "runtime" / "machines");
+    const bool is_source_tree = files.is_folder((base / "runtime" / "machines").string());
     share.machines = {
         (is_source_tree ? base / "runtime" / "machines" : base / "machines").string()};
     share.library = (base / "stdlib").string();
@@ -30,17 +20,17 @@ Share share_below(const std::string& root) {
     return share;
 }
 
-Share find_share() {
+Share find_share(const Files& files) {
     if (const char* chosen = std::getenv("KADR_SHARE"); chosen != nullptr && *chosen != '\0') {
-        return share_below(chosen);
+        return share_below(chosen, files);
     }
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (!error) {
-        const auto installed = program.parent_path().parent_path() / "share" / "kadr";
-        if (is_folder(installed / "dialects")) return share_below(installed.string());
+    if (const auto program = files.link_target("/proc/self/exe")) {
+        const auto installed =
+            std::filesystem::path(*program).parent_path().parent_path() / "share" / "kadr";
+        if (files.is_folder((installed / "dialects").string()))
+            return share_below(installed.string(), files);
     }
-    return share_below(KADR_SHARE_ROOT);
+    return share_below(KADR_SHARE_ROOT, files);
 }
 
 }  // namespace kadr::driver

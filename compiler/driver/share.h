@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
+
 namespace kadr::driver {
 
 /// Folders by what is looked for in them, first match wins.
@@ -18,9 +20,9 @@ struct Share {
 
 /// Finds the shared files: the folder that the environment's KADR_SHARE names, else the one that
 /// was installed beside the program, else the tree that the program was built from.
-Share find_share();
+Share find_share(const Files& files);
 
 /// The layout below one root, installed (`machines`) or a source tree (`runtime/machines`).
-Share share_below(const std::string& root);
+Share share_below(const std::string& root, const Files& files);
 
 }  // namespace kadr::driver

@@ -81,10 +81,10 @@ Done require_file(Session& session, const std::string& name_or_file) {
     const bool is_file =
         name_or_file.find('/') != std::string::npos || name_or_file.ends_with(".xml");
     if (!is_file) return kDone;
-    const auto text = session.files().read(name_or_file);
+    const auto text = session.access().read(name_or_file);
     if (text) return kDone;
     report_unread(session.messages(), diag::FileUnreadable, {}, name_or_file, text.error(),
-                  session.files());
+                  session.access());
     session.mark_usage();
     return kFailed;
 }
@@ -111,8 +111,10 @@ std::string explanation_of(const DiagnosticRow& row) {
 std::string explanation_of_alarm(Session& session, std::string_view number) {
     std::vector<const DiagnosticRow*> rows;
     std::string out;
-    for (const nc::DialectSummary& summary : nc::list_dialects(session.share().dialects)) {
-        const bool is_sound = nc::can_be_loaded(summary.name, session.share().dialects);
+    for (const nc::DialectSummary& summary :
+         nc::list_dialects(session.share().dialects, session.files())) {
+        const bool is_sound =
+            nc::can_be_loaded(summary.name, session.share().dialects, session.files());
         const nc::Dialect* dialect = is_sound ? session.dialect(summary.name) : nullptr;
         if (dialect == nullptr) continue;
         const std::vector<nc::KnownAlarm> found = nc::alarms_numbered(*dialect, number);
@@ -152,14 +154,15 @@ Reply explain_message(Session& session, std::string_view code) {
 }
 
 Reply list_dialects(Session& session) {
-    const auto summaries = nc::list_dialects(session.share().dialects);
+    const auto summaries = nc::list_dialects(session.share().dialects, session.files());
     std::vector<std::string> names;
     names.reserve(summaries.size());
     for (const auto& summary : summaries) names.push_back(summary.name);
     const std::size_t width = widest(names);
     std::string out;
     for (const auto& summary : summaries) {
-        const bool is_sound = nc::can_be_loaded(summary.name, session.share().dialects);
+        const bool is_sound =
+            nc::can_be_loaded(summary.name, session.share().dialects, session.files());
         fmt::format_to(std::back_inserter(out), "{:<{}}  {:<4} {}{}\n", summary.name, width,
                        summary.suffix.empty() ? "-" : summary.suffix, summary.title,
                        is_sound ? "" : ", has mistakes");
@@ -174,7 +177,8 @@ Reply check_dialect(Session& session, const std::string& name_or_file) {
     if (inspected.dialect) nc::check_sense(inspected.root, *inspected.dialect, found);
     say_in_order(found, session.messages());
     if (!inspected.dialect) {
-        mark_unknown(session, name_or_file, nc::list_dialects(session.share().dialects));
+        mark_unknown(session, name_or_file,
+                     nc::list_dialects(session.share().dialects, session.files()));
         return {session.status(), {}};
     }
     const nc::Dialect& dialect = *inspected.dialect;
@@ -208,7 +212,7 @@ Reply explain_word(Session& session, const std::string& name_or_file, const std:
 }
 
 Reply list_machines(Session& session) {
-    const auto summaries = machine::list(session.share().machines);
+    const auto summaries = machine::list(session.share().machines, session.files());
     std::vector<std::string> names;
     names.reserve(summaries.size());
     for (const auto& summary : summaries) names.push_back(summary.name);
@@ -225,7 +229,7 @@ std::optional<machine::Machine> machine_of(Session& session, const std::string& 
     if (!require_file(session, name_or_file)) return std::nullopt;
     auto machine = session.load_machine(name_or_file);
     if (machine) return std::move(machine->machine);
-    mark_unknown(session, name_or_file, machine::list(session.share().machines));
+    mark_unknown(session, name_or_file, machine::list(session.share().machines, session.files()));
     return std::nullopt;
 }
 

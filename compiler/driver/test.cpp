@@ -329,7 +329,7 @@ Status TestRun::perform() {
     if (session_.machine() == nullptr || session_.status() != Status::Done)
         return session_.status();
     const std::unique_ptr<Output> out =
-        Output::open(job_.output, session_.messages(), session_.output_rules());
+        Output::open(session_.files(), job_.output, session_.messages(), session_.output_rules());
     if (!out) return Status::Usage;
     for (const std::string& source : job_.sources) run_file(source);
     const bool has_none = run_ == 0 && failed_ == 0;

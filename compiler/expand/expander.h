@@ -28,7 +28,7 @@ struct Chain;
 }  // namespace kadr::machine
 
 namespace kadr {
-class Files;
+class FileAccess;
 }  // namespace kadr
 
 namespace kadr::expand {
@@ -69,7 +69,7 @@ struct ExpandOptions {
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     std::vector<nc::Refusal>* refusals = nullptr;  // gets forms of cycles that do not fit a call
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
-    Files* files = nullptr;  // knows which tables and images may be read; null: any
+    FileAccess* files = nullptr;  // knows which tables and images may be read; null: none
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
 };
 

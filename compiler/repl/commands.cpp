@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -33,37 +32,37 @@ std::string_view trimmed(std::string_view text) {
 /// What `:save` reports of a file that is there already and is not replaced; empty: it may be
 /// written.
 std::string kept(const Prompt& prompt, const std::string& path) {
-    std::error_code error;
-    const bool is_new = !std::filesystem::exists(path, error) || prompt.has_written(path);
+    const bool is_new =
+        prompt.files().kind_of(path) == FileKind::Missing || prompt.has_written(path);
     if (is_new || prompt.asks("replace " + path + "?")) return {};
     return "not written: `" + path + "` is there already";
 }
 
 /// Writes a file whole or not at all; the messages report why not.
-std::string write_whole(const std::string& path, std::string_view text) {
+std::string write_whole(Files& files, const std::string& path, std::string_view text) {
     std::string words;
-    Sources sources;
+    Sources sources(files);
     driver::Messages messages(sources, {}, [&](std::string_view line) { words += line; });
-    const auto output = driver::Output::open(path, messages);
+    const auto output = driver::Output::open(files, path, messages);
     if (output == nullptr) return words;
     output->write(text);
     (void)output->commit(messages);  // `words` is empty if it is written
     return words;
 }
 
-std::string stock_machine(const driver::Options& options, const driver::Share& share) {
-    Sources sources;
+std::string stock_machine(const driver::Options& options, driver::SharedInputs& inputs) {
+    Sources sources = inputs.new_sources();
     driver::Messages messages(sources, {}, [](std::string_view) {});
-    return driver::Session(options, share, sources, messages).stock_machine();
+    return driver::Session(options, inputs, sources, messages).stock_machine();
 }
 
 /// The program in its canonical layout; as it is if that cannot be had.
-std::string laid_out(const driver::Options& options, const driver::Share& share,
+std::string laid_out(const driver::Options& options, driver::SharedInputs& inputs,
                      std::string program) {
-    Sources sources;
+    Sources sources = inputs.new_sources();
     driver::Messages messages(sources, {}, [](std::string_view) {});
-    driver::Session session(options, share, sources, messages);
-    session.files().allow_home_of("-");
+    driver::Session session(options, inputs, sources, messages);
+    session.access().allow_home_of("-");
     const FileId file = sources.add("prompt.kadr", program);
     const driver::SourceWords words = driver::words_of(session, file);
     if (!words) return program;
@@ -73,48 +72,50 @@ std::string laid_out(const driver::Options& options, const driver::Share& share,
 
 /// The import of a file whose name is relative, as a program in another folder writes it. Other
 /// texts stay as they are, and so does a name that is not found from here.
-std::string moved_import(const std::string& text, const std::filesystem::path& folder) {
+std::string moved_import(const std::string& text, const std::filesystem::path& folder,
+                         const Files& files) {
     namespace fs = std::filesystem;
     const std::size_t open = text.find('"');
     const std::size_t close = text.find('"', open + 1);
     if (open == std::string::npos || close == std::string::npos) return text;
     const fs::path name = text.substr(open + 1, close - open - 1);
-    std::error_code error;
-    if (name.is_absolute() || !fs::is_regular_file(name, error)) return text;
-    const fs::path seen = fs::relative(name, folder, error);
-    if (error || seen.empty()) return text;
+    if (name.is_absolute() || !files.is_file(name.string())) return text;
+    const fs::path real = files.real_path(name.string());
+    const fs::path seen = real.lexically_relative(files.real_path(folder.string()));
+    if (seen.empty()) return text;
     return text.substr(0, open + 1) + seen.generic_string() + text.substr(close);
 }
 
 /// What the prompt has been given, for a file that lies in this folder.
-Transcript moved(const Transcript& transcript, const std::filesystem::path& folder) {
+Transcript moved(const Transcript& transcript, const std::filesystem::path& folder,
+                 const Files& files) {
     Transcript out;
     for (Input input : transcript.inputs()) {
-        if (input.kind == Input::Kind::Import) input.text = moved_import(input.text, folder);
+        if (input.kind == Input::Kind::Import) input.text = moved_import(input.text, folder, files);
         out.add(std::move(input));
     }
     return out;
 }
 
 /// What is wrong with the program as a file of this name; empty if it can be run.
-std::string faults_of(const driver::Options& options, const driver::Share& share,
+std::string faults_of(const driver::Options& options, driver::SharedInputs& inputs,
                       const std::string& file, const std::string& program) {
     std::string words;
-    Sources sources;
+    Sources sources = inputs.new_sources();
     driver::Messages messages(sources, {}, [&](std::string_view text) { words += text; });
-    driver::Session session(options, share, sources, messages);
+    driver::Session session(options, inputs, sources, messages);
     const bool can_run = driver::load_program(session, sources.add(file, program)).has_value();
     messages.finish();
     return can_run ? std::string() : words;
 }
 
 /// Names of the variables that statements declare at their outermost level.
-std::vector<std::string> variables(const driver::Options& options, const driver::Share& share,
+std::vector<std::string> variables(const driver::Options& options, driver::SharedInputs& inputs,
                                    const std::string& program) {
-    Sources sources;
+    Sources sources = inputs.new_sources();
     driver::Messages messages(sources, {}, [](std::string_view) {});
-    driver::Session session(options, share, sources, messages);
-    session.files().allow_home_of("-");
+    driver::Session session(options, inputs, sources, messages);
+    session.access().allow_home_of("-");
     const FileId file = sources.add("prompt.kadr", program);
     const driver::SourceWords words = driver::words_of(session, file);
     std::vector<std::string> names;
@@ -176,7 +177,7 @@ struct Commands {
         if (name.empty()) {
             const std::string& chosen = prompt.options_.machine;
             return prompt.write(
-                (chosen.empty() ? stock_machine(prompt.options_, prompt.share_) : chosen) + '\n');
+                (chosen.empty() ? stock_machine(prompt.options_, prompt.inputs_) : chosen) + '\n');
         }
         change(prompt.options_.machine, name);
     }
@@ -206,7 +207,7 @@ struct Commands {
 
     void vars(std::string_view) {
         const std::vector<std::string> names =
-            variables(prompt.options_, prompt.share_, prompt.program_of(prompt.transcript_));
+            variables(prompt.options_, prompt.inputs_, prompt.program_of(prompt.transcript_));
         if (names.empty()) return prompt.write("no variables\n");
         for (const std::string& name : names)
             prompt.write(name + " = " + prompt.value_of(name) + '\n');
@@ -228,8 +229,8 @@ struct Commands {
             text.subtitle = prompt.now_.plot_subtitle;
             const std::string path(file);
             if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
-            const std::string words =
-                write_whole(path, plot_svg(prompt.now_.scene, text, plot::PlotColor::Feed));
+            const std::string words = write_whole(
+                prompt.files(), path, plot_svg(prompt.now_.scene, text, plot::PlotColor::Feed));
             if (!words.empty()) return prompt.write(words);
             prompt.note_written(path);
         }
@@ -256,10 +257,12 @@ struct Commands {
     void save(std::string_view file) {
         if (file.empty()) return wrong("where to? `:save part.kadr`");
         const std::string path(file);
-        const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-        const std::string program = laid_out(prompt.options_, prompt.share_,
-                                             prompt.program_of(moved(prompt.transcript_, folder)));
-        const std::string faults = faults_of(prompt.options_, prompt.share_, path, program);
+        const std::filesystem::path folder =
+            std::filesystem::path(prompt.files().real_path(path)).parent_path();
+        const std::string program =
+            laid_out(prompt.options_, prompt.inputs_,
+                     prompt.program_of(moved(prompt.transcript_, folder, prompt.files())));
+        const std::string faults = faults_of(prompt.options_, prompt.inputs_, path, program);
         if (faults.find("[K2017]") != std::string::npos) {
             wrong(
                 "not saved: only at the prompt one program calls another; in a file what it calls "
@@ -271,7 +274,7 @@ struct Commands {
             return prompt.write(faults);
         }
         if (const std::string left = kept(prompt, path); !left.empty()) return wrong(left);
-        const std::string words = write_whole(path, program);
+        const std::string words = write_whole(prompt.files(), path, program);
         if (words.empty()) prompt.note_written(path);
         prompt.write(words.empty() ? "saved in " + path + '\n' : words);
     }

@@ -52,16 +52,15 @@ void add_names(std::string_view text, std::vector<std::string>& out) {
 
 /// The next parts of modules below a folder: `cycles.` behind `import `, `drilling` behind
 /// `import cycles.`. `before` is what stands of the name already, to its last point.
-void add_modules(const std::string& folder, std::string_view before,
+void add_modules(const std::string& folder, std::string_view before, const Files& files,
                  std::vector<std::string>& out) {
     namespace fs = std::filesystem;
     std::string below(before);
     std::replace(below.begin(), below.end(), '.', '/');
-    std::error_code error;
-    for (const auto& entry : fs::directory_iterator(fs::path(folder) / below, error)) {
-        const std::string name = entry.path().stem().string();
-        if (entry.is_directory(error)) out.push_back(name + '.');
-        else if (entry.path().extension() == ".kadr") out.push_back(name);
+    for (const FolderEntry& entry : files.list((fs::path(folder) / below).string())) {
+        const fs::path path = entry.name;
+        if (entry.kind == FileKind::Folder) out.push_back(path.stem().string() + '.');
+        else if (path.extension() == ".kadr") out.push_back(path.stem().string());
     }
 }
 
@@ -84,21 +83,21 @@ std::vector<std::string> Prompt::completions(std::string_view line) const {
     const bool is_command = line.starts_with(':') && pending_.empty();
     const std::size_t begin = last_word(line);
     const std::string_view word = line.substr(begin);
-    Sources sources;
+    Sources sources = inputs_.new_sources();
     driver::Messages messages(sources, {}, [](std::string_view) {});
-    driver::Session session(options_, share_, sources, messages);
+    driver::Session session(options_, inputs_, sources, messages);
     if (is_command && begin == 1) {
         for (const CommandRow& row : command_table()) candidates.emplace_back(row.name);
     } else if (is_command && line.starts_with(":dialect ")) {
-        for (const auto& summary : nc::list_dialects(share_.dialects)) {
+        for (const auto& summary : nc::list_dialects(inputs_.share().dialects, inputs_.files())) {
             candidates.push_back(summary.name);
         }
     } else if (is_command && line.starts_with(":machine ")) {
-        for (const auto& summary : machine::list(share_.machines)) {
+        for (const auto& summary : machine::list(inputs_.share().machines, inputs_.files())) {
             candidates.push_back(summary.name);
         }
     } else if (const auto before = imported(line)) {
-        add_modules(share_.library, *before, candidates);
+        add_modules(inputs_.share().library, *before, inputs_.files(), candidates);
     } else if (begin > 0 && line[begin - 1] == '.' && owner(line, begin) == "state") {
         for (const std::string_view name : sema::state_members()) candidates.emplace_back(name);
     } else if (!is_command) {

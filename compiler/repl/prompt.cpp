@@ -39,8 +39,8 @@ std::string changes(const std::vector<interp::StateItem>& before,
 /// A session for looking at texts only; what it reports is nobody's concern.
 class QuietSession {
   public:
-    QuietSession(const driver::Options& options, const driver::Share& share)
-        : session_(options, share, sources_, messages_) {}
+    QuietSession(const driver::Options& options, driver::SharedInputs& inputs)
+        : sources_(inputs.new_sources()), session_(options, inputs, sources_, messages_) {}
     driver::Session& session() { return session_; }
 
   private:
@@ -51,10 +51,10 @@ class QuietSession {
 
 }  // namespace
 
-Prompt::Prompt(driver::Options options, driver::Share share, Surroundings surroundings,
+Prompt::Prompt(driver::Options options, driver::SharedInputs& inputs, Surroundings surroundings,
                const std::atomic<bool>* stop)
     : options_(std::move(options)),
-      share_(std::move(share)),
+      inputs_(inputs),
       surroundings_(std::move(surroundings)),
       stop_(stop) {
     options_.stop = stop_;
@@ -67,7 +67,7 @@ void Prompt::take(std::string_view line) {
     if (is_first && begin == std::string_view::npos) return;
     if (is_first && line[begin] == ':') return command(line.substr(begin + 1));
     pending_ += std::string(line) + '\n';
-    QuietSession quiet(options_, share_);
+    QuietSession quiet(options_, inputs_);
     if (is_incomplete(quiet.session(), transcript_.headers(), pending_)) return;
     take_input(std::exchange(pending_, {}));
 }
@@ -77,7 +77,7 @@ void Prompt::finish() {
 }
 
 void Prompt::take_input(std::string text) {
-    QuietSession quiet(options_, share_);
+    QuietSession quiet(options_, inputs_);
     Input input = classify(quiet.session(), transcript_.headers(), std::move(text));
     // What is wrong is taken for a statement, to have it reported why. So is a header behind
     // statements: it would change how they are read.
@@ -119,7 +119,7 @@ std::string Prompt::value_of(const std::string& variable) {
 }
 
 std::string Prompt::program_of(const Transcript& transcript) const {
-    QuietSession quiet(options_, share_);
+    QuietSession quiet(options_, inputs_);
     return transcript.program(program_word(quiet.session(), transcript.headers()));
 }
 
@@ -136,7 +136,7 @@ ReplayOutcome Prompt::evaluate(const Transcript& transcript) {
     if (is_inside) request.shown_from = transcript.last_statement(request.program);
     driver::Options options = options_;
     options.allow_read.insert(options.allow_read.end(), allowed_.begin(), allowed_.end());
-    return replay(options, share_, request, now_.reported);
+    return replay(options, inputs_, request, now_.reported);
 }
 
 void Prompt::undo(std::size_t count) {

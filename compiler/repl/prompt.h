@@ -12,7 +12,7 @@
 
 #include "base/done.h"
 #include "driver/options.h"
-#include "driver/share.h"
+#include "driver/shared_inputs.h"
 #include "repl/replay.h"
 #include "repl/transcript.h"
 
@@ -32,8 +32,8 @@ struct Surroundings {
 
 class Prompt {
   public:
-    /// `stop` is set from outside to end a running evaluation.
-    Prompt(driver::Options options, driver::Share share, Surroundings surroundings,
+    /// `stop` is set from outside to end a running evaluation. Both references outlive the prompt.
+    Prompt(driver::Options options, driver::SharedInputs& inputs, Surroundings surroundings,
            const std::atomic<bool>* stop);
 
     /// Takes one line. What is not complete waits for more lines.
@@ -56,6 +56,7 @@ class Prompt {
         const std::string folder = file.parent_path().string();
         allowed_.push_back(folder.empty() ? "." : folder);
     }
+    Files& files() const { return inputs_.files(); }
     bool asks(std::string_view question) const {
         return surroundings_.ask && surroundings_.ask(question);
     }
@@ -83,7 +84,7 @@ class Prompt {
     void write(std::string_view text) const { surroundings_.write(text); }
 
     driver::Options options_;
-    driver::Share share_;
+    driver::SharedInputs& inputs_;
     Surroundings surroundings_;
     const std::atomic<bool>* stop_;
     Transcript transcript_;

@@ -205,17 +205,17 @@ void execute(driver::Execution& execution, ReplayOutcome& outcome, LineKeeper& k
 
 }  // namespace
 
-ReplayOutcome replay(const driver::Options& options, const driver::Share& share,
+ReplayOutcome replay(const driver::Options& options, driver::SharedInputs& inputs,
                      const ReplayRequest& request, std::vector<std::string> reported_before) {
     ReplayOutcome outcome;
     Hearing hearing(outcome, std::move(reported_before));
-    Sources sources;
+    Sources sources = inputs.new_sources();
     driver::Messages messages(sources, {}, [&](std::string_view text) { hearing.take(text); });
     driver::Options chosen = options;
     chosen.program = "prompt";
     chosen.check = {.shown_from = request.shown_from, .calls_programs = "prompt"};
     chosen.shown = &outcome.values;
-    driver::Session session(chosen, share, sources, messages);
+    driver::Session session(chosen, inputs, sources, messages);
     const FileId file = sources.add("prompt.kadr", request.program);
     LineKeeper keeper(outcome, request.known_lines);
     const auto execution = driver::Execution::open(

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "driver/options.h"
-#include "driver/share.h"
+#include "driver/shared_inputs.h"
 #include "interp/interpreter.h"
 #include "motion/pipeline.h"
 #include "plot/plot_scene.h"
@@ -52,7 +52,7 @@ inline constexpr std::size_t kLastLines = 5;
 
 /// Evaluates the whole program. Nothing of it outlives the call but the outcome. What has been
 /// `text` of it before is not shown again.
-ReplayOutcome replay(const driver::Options& options, const driver::Share& share,
+ReplayOutcome replay(const driver::Options& options, driver::SharedInputs& inputs,
                      const ReplayRequest& request, std::vector<std::string> reported_before);
 
 }  // namespace kadr::repl

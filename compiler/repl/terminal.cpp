@@ -233,7 +233,7 @@ void converse_in_pipe(Prompt& prompt) {
 
 }  // namespace
 
-driver::Status converse(const driver::Options& options, const driver::Share& share) {
+driver::Status converse(const driver::Options& options, driver::SharedInputs& inputs) {
     const bool is_terminal = ::isatty(STDIN_FILENO) != 0 && ::isatty(STDOUT_FILENO) != 0;
     if (is_terminal)
         std::setlocale(LC_CTYPE, "");  // libedit counts columns by it; nothing else does
@@ -243,7 +243,7 @@ driver::Status converse(const driver::Options& options, const driver::Share& sha
         surroundings.wait = wait_for_enter;
         surroundings.columns = terminal_columns();
     }
-    Prompt prompt(options, share, surroundings, &interrupted);
+    Prompt prompt(options, inputs, surroundings, &interrupted);
     if (is_terminal) {
         converse_at_terminal(prompt);
         return driver::Status::Done;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "base/files.h"
+#include "base/file_access.h"
 #include "nc/dialect.h"
 #include "sema/checked.h"
 #include "sema/code.h"
@@ -69,8 +69,8 @@ struct CheckOptions {
     std::uint32_t shown_from = kNothingShown;
     /// The program of the main file that may call others as if they were cycles.
     std::string_view calls_programs;
-    /// Knows which tables and images may be read; null: any.
-    Files* files = nullptr;
+    /// Knows which tables and images may be read; null: none.
+    FileAccess* files = nullptr;
     /// Whether the command has no time left; then there is no code, and whoever asked reports why.
     std::function<bool()> is_over = {};
 };

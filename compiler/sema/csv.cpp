@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "base/diagnostics/driver.h"
 #include "base/diagnostics/sema.h"
 #include "base/done.h"
 #include "base/numbers.h"
@@ -386,14 +387,16 @@ class TableReader {
 
 std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
                                     const std::string& path, const SourceRange& location,
-                                    Files* files, DiagnosticSink& sink) {
+                                    FileAccess* access, DiagnosticSink& sink) {
     const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
     const std::string file = is_absolute ? path : schema.folder + path;
-    Files anything;
-    const auto text = files != nullptr ? files->read_named(file) : anything.read(file);
+    if (access == nullptr) {
+        sink.report(diag::FileElsewhere, location).arg(file);
+        return std::nullopt;
+    }
+    const auto text = access->read_named(file);
     if (!text) {
-        report_unread(sink, diag::TableUnreadable, location, file, text.error(),
-                      files != nullptr ? *files : anything);
+        report_unread(sink, diag::TableUnreadable, location, file, text.error(), *access);
         return std::nullopt;
     }
     return TableReader(schema, enums, sink).read(file, *text, location);

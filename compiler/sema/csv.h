@@ -9,16 +9,16 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "base/files.h"
+#include "base/file_access.h"
 #include "sema/code.h"
 
 namespace kadr::sema {
 
 /// Reads a CSV file row by row. Every mistake is reported with file, row and column; nothing is
 /// returned then. `path` is relative to the folder of the file that names it; `location` is where.
-/// `files` tells what may be read; null: anything.
+/// `access` tells what may be read; null: nothing.
 std::optional<TableRows> read_table(const TableSchema& schema, std::span<const EnumNames> enums,
                                     const std::string& path, const SourceRange& location,
-                                    Files* files, DiagnosticSink& sink);
+                                    FileAccess* access, DiagnosticSink& sink);
 
 }  // namespace kadr::sema

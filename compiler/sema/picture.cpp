@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/diagnostics/driver.h"
 #include "base/diagnostics/sema.h"
 #include "base/done.h"
 #include "base/text.h"
@@ -189,15 +190,17 @@ class PictureReader {
 }  // namespace
 
 std::optional<Picture> read_picture(const std::string& folder, const std::string& path,
-                                    const SourceRange& location, Files* files,
+                                    const SourceRange& location, FileAccess* access,
                                     DiagnosticSink& sink) {
     const bool is_absolute = !path.empty() && (path[0] == '/' || path[0] == '\\');
     const std::string file = is_absolute ? path : folder + path;
-    Files anything;
-    const auto text = files != nullptr ? files->read_named(file) : anything.read(file);
+    if (access == nullptr) {
+        sink.report(diag::FileElsewhere, location).arg(file);
+        return std::nullopt;
+    }
+    const auto text = access->read_named(file);
     if (!text) {
-        report_unread(sink, diag::ImageUnreadable, location, file, text.error(),
-                      files != nullptr ? *files : anything);
+        report_unread(sink, diag::ImageUnreadable, location, file, text.error(), *access);
         return std::nullopt;
     }
     return PictureReader(file, *text, location, sink).read();

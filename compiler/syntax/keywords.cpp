@@ -114,8 +114,7 @@ std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
         if (!is_file) candidates.push_back(folder + "/" + name_or_file + ".xml");
     }
     for (const std::string& candidate : candidates) {
-        std::error_code ignored;
-        if (!std::filesystem::is_regular_file(candidate, ignored)) continue;
+        if (!sources.files().is_file(candidate)) continue;
         const std::optional<FileId> file = sources.read(candidate);
         if (file) return Loader(sources, *file, sink).load();
     }
@@ -123,10 +122,9 @@ std::optional<KeywordTable> load_keywords(const std::string& name_or_file,
     message.arg(name_or_file);
     std::vector<std::string> known;
     for (const std::string& folder : folders) {
-        std::error_code error;
-        for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
-             entry.increment(error)) {
-            if (entry->path().extension() == ".xml") known.push_back(entry->path().stem().string());
+        for (const FolderEntry& entry : sources.files().list(folder)) {
+            const std::filesystem::path name = entry.name;
+            if (name.extension() == ".xml") known.push_back(name.stem().string());
         }
     }
     std::sort(known.begin(), known.end());

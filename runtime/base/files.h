@@ -1,21 +1,19 @@
-// files.h — the one door to files that are read whole: which may be read, how much of them, and
-// which were.
+// files.h — the one door to files: where texts come from, and where results go.
 //
-// A file that the user names may lie anywhere. One that a program names (a table, an import, what a
-// dialect extends) lies below a folder that the user named: that of the source, one of a search
-// path, the library. A program from somebody else cannot look around on the disk, then.
+// It is handed in, so that the same program works on the disk (disk_files.h), in memory
+// (memory_files.h), and on what an editor has not saved yet (overlay_files.h). Which of the files a
+// program may read is another question: file_access.h.
 #pragma once
 
 #include <cstdint>
-#include <mutex>
+#include <memory>
 #include <optional>
-#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "base/diagnostic.h"
 #include "base/result.h"
 
 namespace kadr {
@@ -32,64 +30,82 @@ struct ReadFault {
     std::string why;
 };
 
+/// What a path leads to, symbolic links followed.
+enum class FileKind : std::uint8_t {
+    Missing,
+    File,
+    Folder,
+    Special,  // a device, a pipe
+};
+
+/// One entry of a folder.
+struct FolderEntry {
+    std::string name;  // without the folder
+    FileKind kind = FileKind::Missing;
+    friend bool operator==(const FolderEntry&, const FolderEntry&) = default;
+};
+
+/// A file that is read piece by piece.
+class FileReader {
+  public:
+    virtual ~FileReader() = default;
+    /// Fills as much of the piece as there is. Returns how many bytes; 0: the end.
+    virtual std::size_t read(std::span<char> piece) = 0;
+    /// The next byte is this one, counted from 0. False: it cannot be read twice (a pipe).
+    virtual bool seek(std::uint64_t offset) = 0;
+};
+
+/// A file that is written whole or not at all: nobody sees it before `commit`, and without it
+/// nothing remains. What went wrong in between is reported by `commit`.
+class FileWriter {
+  public:
+    virtual ~FileWriter() = default;
+    virtual void write(std::string_view text) = 0;
+    /// Replaces what was written at this byte and behind it; not more than was written.
+    virtual void overwrite(std::size_t at, std::string_view text) = 0;
+    /// Puts the file in its place. False: what stood there before is untouched; `fault` tells why.
+    virtual bool commit() = 0;
+    /// "there is no space left"; empty: nothing more is known.
+    virtual std::string fault() const = 0;
+};
+
+/// A store of files by their paths. `-` is standard input where it is read, standard output where
+/// it is written. Any thread may read; one writes.
 class Files {
   public:
     /// Bytes of one file that are read at most, unless the user sets another limit.
     static constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20;
+    /// The same for two paths that lead to the same file.
+    using Identity = std::pair<std::uint64_t, std::uint64_t>;
 
-    explicit Files(std::uint64_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
-    Files(const Files&) = delete;
-    Files& operator=(const Files&) = delete;
+    virtual ~Files() = default;
 
-    std::uint64_t most_bytes() const { return most_bytes_; }
+    virtual FileKind kind_of(const std::string& path) const = 0;
+    bool is_file(const std::string& path) const { return kind_of(path) == FileKind::File; }
+    bool is_folder(const std::string& path) const { return kind_of(path) == FileKind::Folder; }
+    /// What stands in a folder, by name; empty if it cannot be looked through.
+    virtual std::vector<FolderEntry> list(const std::string& folder) const = 0;
+    /// Absolute and without links, as far as the path exists; empty if that cannot be had.
+    virtual std::string real_path(const std::string& path) const = 0;
+    /// Where a symbolic link leads, as it is written in it; nothing: it is none.
+    virtual std::optional<std::string> link_target(const std::string& path) const = 0;
+    /// Of a regular file. Nothing of what loses nothing when something is written to it.
+    virtual std::optional<Identity> identity_of(const std::string& path) const = 0;
 
-    /// Programs may read what lies below this folder.
-    void allow(const std::string& folder);
-    /// … and below the home of a file that the user named: its folder, or the nearest one above
-    /// that holds a `kadr.toml`. `-` is at home in the working folder.
-    void allow_home_of(const std::string& file);
-    /// Whether a program may read this file, symbolic links followed. `beside` is the file that
-    /// names it and was named by the user; below its home it may be, too. Empty: none.
-    bool may_be_read(const std::string& file, const std::string& beside = {}) const;
+    /// The whole of a file, as bytes.
+    virtual Result<std::string, ReadFault> read(const std::string& path,
+                                                std::uint64_t most_bytes = kMostBytes) const = 0;
+    /// Null if it cannot be read.
+    virtual std::unique_ptr<FileReader> open(const std::string& path) const = 0;
+    /// Null if it cannot be written.
+    virtual std::unique_ptr<FileWriter> create(const std::string& path) = 0;
 
-    /// What is wrong with a file that may not be read: `why` is its folder or, of a symbolic link
-    /// in a folder that may be read, that of what it leads to.
-    ReadFault fault_elsewhere(const std::string& file, const std::string& beside = {}) const;
-
-    /// The whole of a file that the user named; `-` is standard input.
-    Result<std::string, ReadFault> read(const std::string& file);
-    /// … that a program named.
-    Result<std::string, ReadFault> read_named(const std::string& file,
-                                              const std::string& beside = {});
-
-    /// Notes a file that somebody else reads: an output must not replace it.
-    void note(const std::string& file);
-    /// Whether this name leads to a file that was read.
-    bool was_read(const std::string& file) const;
-
-  private:
-    using Identity = std::pair<std::uint64_t, std::uint64_t>;  // device, inode
-    static std::optional<Identity> identity_of(const std::string& file);
-
-    std::uint64_t most_bytes_;
-    std::vector<std::string> allowed_;  // canonical
-    mutable std::mutex mutex_;          // a running program reads tables beside the main thread
-    std::set<Identity> read_;
+    /// Why a file cannot be opened, as words behind "it": "there is no such file". Asked behind the
+    /// attempt, so it may be empty.
+    virtual std::string why_unreadable(const std::string& path) const = 0;
+    /// Likewise for a file that is to be written: "the folder does not exist".
+    virtual std::string why_unwritable(const std::string& path) const = 0;
 };
-
-/// What the system's number of an error means: "there is no space left".
-std::string system_fault(int error);
-
-/// Why a file cannot be opened, as words behind "it": "there is no such file". Asked behind the
-/// attempt, so it may be empty.
-std::string why_unreadable(const std::string& file);
-/// Likewise for a file that is to be written: "the folder does not exist".
-std::string why_unwritable(const std::string& file);
-
-/// Reports that a file was not read: `row` (one argument, the name) with the reason, or that it is
-/// too large or out of bounds.
-void report_unread(DiagnosticSink& sink, const DiagnosticRow& row, const SourceRange& location,
-                   const std::string& file, const ReadFault& fault, const Files& files);
 
 /// A number of bytes as a person writes it: "256 MiB".
 std::string bytes_text(std::uint64_t bytes);

@@ -1,15 +1,19 @@
 #include "base/source.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <iterator>
+#include <utility>
 
-#include "base/assert.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace kadr {
+
+Sources::Sources() : Sources(disk()) {}
+
+Sources::Sources(const Files& files, Role role)
+    : store_(&files), first_(role == Role::Shared ? kFirstShared : 0) {}
+
+Sources::Sources(const Files& files, const Sources& shared) : store_(&files), shared_(&shared) {}
 
 FileId Sources::add(std::string name, std::string text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
@@ -19,23 +23,30 @@ FileId Sources::add(std::string name, std::string text) {
         if (file.text[i] == '\n') file.line_starts.push_back(static_cast<std::uint32_t>(i + 1));
     }
     files_.push_back(std::move(file));
-    return FileId{static_cast<std::uint32_t>(files_.size() - 1)};
+    return nth(files_.size() - 1);
 }
 
 std::optional<FileId> Sources::read(const std::string& path) {
-    if (path == "-") {
-        return add("<stdin>", std::string(std::istreambuf_iterator<char>(std::cin), {}));
-    }
-    std::optional<std::string> text = read_file(path);
+    auto text = store_->read(path);
     if (!text) return std::nullopt;
-    return add(path, std::move(*text));
+    return add(path == "-" ? "<stdin>" : path, *std::move(text));
+}
+
+void Sources::drop(FileId file) {
+    File& dropped = files_.at(file.index - first_);
+    dropped = {std::move(dropped.name), {}, {0}};
+}
+
+const Sources::File& Sources::at(FileId file) const {
+    const bool is_shared = shared_ != nullptr && file.index >= shared_->first_;
+    return is_shared ? shared_->at(file) : files_.at(file.index - first_);
 }
 
 std::string_view Sources::name(FileId file) const {
-    return file.is_valid() ? std::string_view(files_.at(file.index).name) : std::string_view();
+    return file.is_valid() ? std::string_view(at(file).name) : std::string_view();
 }
 
-std::string_view Sources::text(FileId file) const { return files_.at(file.index).text; }
+std::string_view Sources::text(FileId file) const { return at(file).text; }
 
 std::string_view Sources::text(const SourceRange& range) const {
     const std::string_view all = text(range.file);
@@ -45,7 +56,7 @@ std::string_view Sources::text(const SourceRange& range) const {
 }
 
 LineColumn Sources::locate(FileId file, std::uint32_t byte) const {
-    const File& f = files_.at(file.index);
+    const File& f = at(file);
     byte = std::min<std::uint32_t>(byte, static_cast<std::uint32_t>(f.text.size()));
     const auto after = std::upper_bound(f.line_starts.begin(), f.line_starts.end(), byte);
     const auto start = *(after - 1);
@@ -55,7 +66,7 @@ LineColumn Sources::locate(FileId file, std::uint32_t byte) const {
 }
 
 std::string_view Sources::line_at(FileId file, std::uint32_t byte) const {
-    const File& f = files_.at(file.index);
+    const File& f = at(file);
     byte = std::min<std::uint32_t>(byte, static_cast<std::uint32_t>(f.text.size()));
     const auto start = *(std::upper_bound(f.line_starts.begin(), f.line_starts.end(), byte) - 1);
     std::string_view line = std::string_view(f.text).substr(start);

@@ -1,18 +1,11 @@
 #include "base/text.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include <unistd.h>
-
-#include "base/files.h"
 #include "base/utf8.h"
 
 namespace kadr {
@@ -178,40 +171,6 @@ void end_lines_with_feeds(std::string& text) {
         const bool is_pair = i + 1 < text.size() && text[i + 1] == '\n';
         if (text[i] == '\r' && !is_pair) text[i] = '\n';
     }
-}
-
-std::optional<std::string> read_file(const std::string& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) return std::nullopt;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return std::nullopt;
-    // In pieces: what is read may be no file with a size.
-    std::string text;
-    constexpr std::size_t kPiece = std::size_t{1} << 16;
-    while (in) {
-        const std::size_t before = text.size();
-        if (before > Files::kMostBytes) return std::nullopt;  // a device may have no end
-        text.resize(before + kPiece);
-        in.read(text.data() + before, kPiece);
-        text.resize(before + static_cast<std::size_t>(in.gcount()));
-    }
-    if (in.bad()) return std::nullopt;
-    return text;
-}
-
-bool write_file_whole(const std::string& path, std::string_view text) {
-    const std::string draft = path + ".kadr-" + std::to_string(::getpid()) + "~";
-    std::FILE* out = std::fopen(draft.c_str(), "wb");
-    if (out == nullptr) return false;
-    const bool written = std::fwrite(text.data(), 1, text.size(), out) == text.size();
-    const bool closed = std::fclose(out) == 0;
-    std::error_code error;
-    if (written && closed) {
-        std::filesystem::rename(draft, path, error);
-        if (!error) return true;
-    }
-    std::filesystem::remove(draft, error);
-    return false;
 }
 
 namespace {

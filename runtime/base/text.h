@@ -42,13 +42,6 @@ void end_lines_with_feeds(std::string& text);
 /// alike have the same.
 std::string latin_skeleton(std::string_view name);
 
-/// The whole file as bytes, or nothing if it cannot be read (missing, a folder, no permission).
-std::optional<std::string> read_file(const std::string& path);
-
-/// Writes a file whole or not at all: into a neighbour first, then renamed. False if the folder
-/// cannot be written; an existing file is then as it was.
-bool write_file_whole(const std::string& path, std::string_view text);
-
 /// The closest of the candidates by edit distance, if it is near enough to be a likely slip.
 std::optional<std::string_view> nearest_name(std::string_view wrong,
                                              const std::string_view* candidates, std::size_t count);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <fstream>
 
 #include <pugixml.hpp>
 
@@ -313,13 +312,12 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
     return std::nullopt;
 }
 
-std::map<std::string, std::string> first_tag(const std::string& path) {
+std::map<std::string, std::string> first_tag(const std::string& path, const Files& files) {
     // In front of the tag stand comments at most; where they are long, the whole file is read.
     constexpr std::size_t kUsualHead = 4096;
     std::string head(kUsualHead, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    head.resize(static_cast<std::size_t>(file.gcount()));
+    const std::unique_ptr<FileReader> file = files.open(path);
+    head.resize(file == nullptr ? 0 : file->read(head));
     pugi::xml_document document;
     const auto read = [&document](const std::string& text) {
         const auto parsed = document.load_buffer(text.data(), text.size(), pugi::parse_default,
@@ -327,7 +325,10 @@ std::map<std::string, std::string> first_tag(const std::string& path) {
         // Elements without an end are no fault of a head.
         return parsed || parsed.status == pugi::status_end_element_mismatch;
     };
-    if (!read(head) || !document.document_element()) read(read_file(path).value_or(""));
+    if (!read(head) || !document.document_element()) {
+        const auto whole = files.read(path);
+        read(whole ? *whole : std::string());
+    }
     std::map<std::string, std::string> attributes;
     for (const pugi::xml_attribute& attribute : document.document_element().attributes())
         attributes.emplace(attribute.name(), attribute.value());

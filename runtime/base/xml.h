@@ -82,7 +82,7 @@ std::optional<XmlElement> parse_xml(FileId file, const Sources& sources, const X
 
 /// The attributes of the outermost element's tag by their names, whatever stands behind it. Empty
 /// if the file cannot be read; of a broken tag what stands before the break.
-std::map<std::string, std::string> first_tag(const std::string& path);
+std::map<std::string, std::string> first_tag(const std::string& path, const Files& files);
 
 /// An element and everything below it is as the shape is: every element and attribute known,
 /// nothing doubled, nothing missing, no stray text. Reports each mistake at its location, with the

@@ -560,18 +560,18 @@ bool is_file_name(const std::string& text) {
 }
 
 /// The stock file of this name, if any folder has it.
-std::optional<std::string> find_stock(const std::string& name, const SearchPath& folders) {
+std::optional<std::string> find_stock(const std::string& name, const SearchPath& folders,
+                                      const Files& files) {
     for (const std::string& folder : folders) {
-        const fs::path path = fs::path(folder) / (name + ".xml");
-        std::error_code error;
-        if (fs::is_regular_file(path, error)) return path.string();
+        std::string path = (fs::path(folder) / (name + ".xml")).string();
+        if (files.is_file(path)) return path;
     }
     return std::nullopt;
 }
 
-void report_unknown_machine(const std::string& name, const SearchPath& folders,
+void report_unknown_machine(const std::string& name, const SearchPath& folders, const Files& files,
                             DiagnosticSink& sink) {
-    const std::vector<MachineSummary> machines = list(folders);
+    const std::vector<MachineSummary> machines = list(folders, files);
     std::vector<std::string_view> names;
     std::string known;
     for (const MachineSummary& machine : machines) {
@@ -598,9 +598,9 @@ std::optional<DescribedMachine> load_described_machine(const std::string& name_o
                                                        DiagnosticSink& sink) {
     std::string path = name_or_file;
     if (!is_file_name(name_or_file)) {
-        const auto stock = find_stock(name_or_file, folders);
+        const auto stock = find_stock(name_or_file, folders, sources.files());
         if (!stock) {
-            report_unknown_machine(name_or_file, folders, sink);
+            report_unknown_machine(name_or_file, folders, sources.files(), sink);
             return std::nullopt;
         }
         path = *stock;
@@ -615,11 +615,11 @@ std::optional<DescribedMachine> load_described_machine(const std::string& name_o
 
 namespace {
 
-MachineSummary summary_of(const fs::path& file) {
+MachineSummary summary_of(const fs::path& file, const Files& files) {
     MachineSummary summary;
     summary.name = file.stem().string();
     summary.file = file.string();
-    Sources sources;
+    Sources sources(files);
     DiagnosticList unheard;  // `kadr machine check` reports what is wrong with a file
     if (const auto machine = load_machine(summary.file, {}, sources, unheard)) {
         summary.title = machine->title;
@@ -632,15 +632,13 @@ MachineSummary summary_of(const fs::path& file) {
 
 }  // namespace
 
-std::vector<MachineSummary> list(const SearchPath& folders) {
+std::vector<MachineSummary> list(const SearchPath& folders, const Files& files) {
     std::map<std::string, MachineSummary> machines;
     for (const std::string& folder : folders) {
-        std::error_code error;
-        fs::directory_iterator entry(folder, error);
-        for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-            const fs::path& file = entry->path();
+        for (const FolderEntry& entry : files.list(folder)) {
+            const fs::path file = fs::path(folder) / entry.name;
             if (file.extension() != ".xml" || machines.contains(file.stem().string())) continue;
-            machines.emplace(file.stem().string(), summary_of(file));
+            machines.emplace(file.stem().string(), summary_of(file, files));
         }
     }
     std::vector<MachineSummary> sorted;

@@ -127,6 +127,6 @@ struct MachineSummary {
 };
 
 /// The machines of these folders in the order of their names; the first folder wins a name.
-std::vector<MachineSummary> list(const SearchPath& folders);
+std::vector<MachineSummary> list(const SearchPath& folders, const Files& files);
 
 }  // namespace kadr::machine

@@ -167,26 +167,26 @@ bool is_file_name(const std::string& name) {
     return name.find('/') != std::string::npos || name.ends_with(".xml");
 }
 
-std::optional<std::string> find_dialect_file(const std::string& name, const SearchPath& folders) {
-    std::error_code error;
+std::optional<std::string> find_dialect_file(const std::string& name, const SearchPath& folders,
+                                             const Files& files) {
     if (is_file_name(name)) {
-        if (fs::is_regular_file(name, error)) return name;
+        if (files.is_file(name)) return name;
         return std::nullopt;
     }
     for (const std::string& folder : folders) {
-        const fs::path path = fs::path(folder) / (name + ".xml");
-        if (fs::is_regular_file(path, error)) return path.string();
+        std::string path = (fs::path(folder) / (name + ".xml")).string();
+        if (files.is_file(path)) return path;
     }
     return std::nullopt;
 }
 
 /// Names of all dialects in the folders, for proposals.
-std::vector<std::string> dialect_names(const SearchPath& folders) {
+std::vector<std::string> dialect_names(const SearchPath& folders, const Files& files) {
     std::vector<std::string> names;
     for (const std::string& folder : folders) {
-        std::error_code error;
-        for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-            if (entry.path().extension() == ".xml") names.push_back(entry.path().stem().string());
+        for (const FolderEntry& entry : files.list(folder)) {
+            const fs::path path = entry.name;
+            if (path.extension() == ".xml") names.push_back(path.stem().string());
         }
     }
     std::sort(names.begin(), names.end());
@@ -196,9 +196,10 @@ std::vector<std::string> dialect_names(const SearchPath& folders) {
 
 /// Reports that there is none; the one that may have been meant.
 std::optional<std::string> report_missing(const std::string& name, const SourceRange& location,
-                                          const SearchPath& folders, DiagnosticSink& sink) {
+                                          const SearchPath& folders, const Files& files,
+                                          DiagnosticSink& sink) {
     auto report = std::move(sink.report(diag::DialectNotFound, location).arg(name));
-    const std::vector<std::string> known = dialect_names(folders);
+    const std::vector<std::string> known = dialect_names(folders, files);
     const std::vector<std::string_view> views(known.begin(), known.end());
     if (const auto near = nearest_name(name, views.data(), views.size())) {
         report.fix("is `" + std::string(*near) + "` meant?");
@@ -223,18 +224,17 @@ class ChainLoader {
         // Messages name a file as the one that extends it does.
         const bool is_extended = location.file.is_valid();
         const std::string text = is_extended ? std::string(sources_.text(location)) : name;
-        auto path = find_dialect_file(name, folders_);
+        auto path = find_dialect_file(name, folders_, sources_.files());
         if (!path) {
             has_mistakes_ = true;
-            const auto meant = report_missing(text, location, folders_, sink_);
+            const auto meant = report_missing(text, location, folders_, sources_.files(), sink_);
             // What stands in the file is judged beside the one that was meant.
-            if (is_extended && meant) path = find_dialect_file(*meant, folders_);
+            if (is_extended && meant) path = find_dialect_file(*meant, folders_, sources_.files());
             if (!path) return kFailed;
         }
         // However it is spelt: `./a.xml` beside a file that was named `a.xml`.
-        std::error_code error;
-        const fs::path real = fs::weakly_canonical(*path, error);
-        const std::string identity = error ? *path : real.string();
+        const std::string real = sources_.files().real_path(*path);
+        const std::string identity = real.empty() ? *path : real;
         if (std::find(chain_.begin(), chain_.end(), identity) != chain_.end()) {
             sink_.report(diag::DialectExtendsItself, location).arg(text);
             return kFailed;
@@ -269,7 +269,7 @@ class ChainLoader {
         tables.name = root->find("name")->value;
         tables.title = root->find("title")->value;
         tables.suffix = root->find("suffix")->value;
-        if (!apply_dialect(*root, tables, kind_, sink_)) has_mistakes_ = true;
+        if (!apply_dialect(*root, tables, kind_, sources_.files(), sink_)) has_mistakes_ = true;
         root_ = std::move(*root);
         return kDone;
     }
@@ -327,13 +327,13 @@ std::optional<Dialect> load_dialect_for(MachineKind kind, const std::string& nam
     return std::move(inspected.dialect);
 }
 
-std::vector<DialectSummary> list_dialects(const SearchPath& folders) {
+std::vector<DialectSummary> list_dialects(const SearchPath& folders, const Files& files) {
     std::vector<DialectSummary> all;
-    for (const std::string& name : dialect_names(folders)) {
+    for (const std::string& name : dialect_names(folders, files)) {
         DialectSummary summary{name, {}, {}, {}, {}};
-        if (const auto path = find_dialect_file(name, folders)) {
+        if (const auto path = find_dialect_file(name, folders, files)) {
             summary.file = *path;
-            std::map<std::string, std::string> attributes = first_tag(*path);
+            std::map<std::string, std::string> attributes = first_tag(*path, files);
             summary.title = std::move(attributes["title"]);
             summary.suffix = std::move(attributes["suffix"]);
             summary.extends = std::move(attributes["extends"]);
@@ -343,8 +343,8 @@ std::vector<DialectSummary> list_dialects(const SearchPath& folders) {
     return all;
 }
 
-bool can_be_loaded(const std::string& name, const SearchPath& folders) {
-    Sources sources;
+bool can_be_loaded(const std::string& name, const SearchPath& folders, const Files& files) {
+    Sources sources(files);
     DiagnosticList sink;
     return load_dialect(name, folders, sources, sink).has_value();
 }

@@ -163,10 +163,10 @@ struct DialectSummary {
 
 /// All dialects in the folders, by name. Only the first tags are read: a file may have mistakes
 /// behind it, and one whose first tag cannot be read has a name alone.
-std::vector<DialectSummary> list_dialects(const SearchPath& folders);
+std::vector<DialectSummary> list_dialects(const SearchPath& folders, const Files& files);
 
 /// Whether loading the dialect reports no mistakes. As slow as loading it.
-bool can_be_loaded(const std::string& name, const SearchPath& folders);
+bool can_be_loaded(const std::string& name, const SearchPath& folders, const Files& files);
 
 /// What a word of the control (`G83`, `CR`), a function of the vocabulary (`dwell`) or a cycle
 /// means and how it is written: one line of text an entry. Empty if the dialect does not know the

@@ -20,9 +20,9 @@ void load_ground(const XmlElement& e, DialectTables& tables, Attributes& attribu
 }  // namespace
 
 Done apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
-                   DiagnosticSink& sink) {
+                   const Files& files, DiagnosticSink& sink) {
     Attributes attributes(sink, kind);
-    FormLoader forms(tables, attributes);
+    FormLoader forms(tables, attributes, files);
     tables.root = root.range;
     tables.program.is_inherited = true;
     tables.examples.clear();  // those of the files it extends are run with them

@@ -19,7 +19,7 @@ const XmlShape& dialect_shape();
 ///
 /// kind  of the machines whose defaults act
 Done apply_dialect(const XmlElement& root, DialectTables& tables, MachineKind kind,
-                   DiagnosticSink& sink);
+                   const Files& files, DiagnosticSink& sink);
 
 /// Checks the whole and makes the indexes. Not done if there was a mistake.
 Done finish_tables(DialectTables& tables, DiagnosticSink& sink);

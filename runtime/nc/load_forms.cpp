@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <system_error>
 
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
@@ -426,12 +425,10 @@ std::optional<CycleId> FormLoader::cycle_of(const XmlElement& element) {
 
 /// The Kadr file of a cycle lies beside the dialect that declares it.
 void FormLoader::read_cycle_file(const XmlAttribute& file, CycleInfo& cycle) {
-    namespace fs = std::filesystem;
-    const fs::path path = fs::path(tables_.file).parent_path() / file.value;
-    std::error_code error;
-    cycle.file = path.string();
+    const std::filesystem::path folder = std::filesystem::path(tables_.file).parent_path();
+    cycle.file = (folder / file.value).string();
     cycle.file_range = file.value_range;
-    if (!fs::is_regular_file(path, error))
+    if (!files_.is_file(cycle.file))
         attributes_.bad_value(file, "there is no such file beside the dialect");
 }
 

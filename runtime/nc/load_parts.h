@@ -41,8 +41,8 @@ void load_calls(const XmlElement& language, Language& out, Attributes& attribute
 /// function, the spellings of the files it extends are dropped.
 class FormLoader {
   public:
-    FormLoader(DialectTables& tables, Attributes& attributes)
-        : tables_(tables), attributes_(attributes) {}
+    FormLoader(DialectTables& tables, Attributes& attributes, const Files& files)
+        : tables_(tables), attributes_(attributes), files_(files) {}
 
     void load_group(const XmlElement& element);
     void check_default(const XmlElement& element, std::string_view name);
@@ -70,6 +70,7 @@ class FormLoader {
 
     DialectTables& tables_;
     Attributes& attributes_;
+    const Files& files_;  // in which the Kadr files of cycles are
     std::bitset<kFunctions> seen_;
     std::set<CycleId> seen_cycles_;
     bool seen_deferred_ = false;

@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/common/scratch.h"
 
@@ -135,7 +136,7 @@ TEST(Xml, TheFirstTagIsReadAlone) {
     const std::string tag = "<plan name=\"a &amp; b\" title='two'";
     const auto tag_of = [&](const std::string& text) {
         EXPECT_TRUE(write_file_whole(path, text));
-        return first_tag(path);
+        return first_tag(path, disk());
     };
     const std::map<std::string, std::string> both = {{"name", "a & b"}, {"title", "two"}};
     const std::string many = "<!--" + std::string(5000, 'x') + "-->";
@@ -152,7 +153,7 @@ TEST(Xml, TheFirstTagIsReadAlone) {
     EXPECT_TRUE(tag_of("no XML").empty());
     EXPECT_TRUE(tag_of("").empty());
     std::filesystem::remove(path);
-    EXPECT_TRUE(first_tag(path).empty());
+    EXPECT_TRUE(first_tag(path, disk()).empty());
 }
 
 TEST(Xml, AttributesOfXmlItselfPass) {

@@ -9,6 +9,7 @@
 #include <regex>
 #include <string>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace golden {

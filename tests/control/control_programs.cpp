@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace kadr::interp {

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "macro/program.h"
 #include "nc/tables.h"

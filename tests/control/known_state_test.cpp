@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include "base/disk_files.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "driver/cycles.h"
@@ -29,6 +30,7 @@
 #include "expand/modal.h"
 #include "interp/interpreter.h"
 #include "macro/program.h"
+#include "tests/common/inputs.h"
 #include "tests/control/random_program.h"
 #include "write/modal.h"
 #include "write/writer.h"
@@ -296,12 +298,12 @@ void execute(const Evaluated& evaluated, std::uint16_t skip_levels, driver::Sess
 Compared compared(const std::string& path, const std::string& text, const std::string& target,
                   bool is_for_lathe = false) {
     Compared out;
-    Sources sources;
+    Sources sources = test::inputs().new_sources();
     driver::Messages messages(sources, {}, [](std::string_view) {});
     driver::Options options;
     options.dialect = target;
     options.machine = machine_of(text, is_for_lathe);
-    driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
+    driver::Session session(options, test::inputs(), sources, messages);
     const nc::Dialect* dialect = session.chosen_dialect(target);
     const machine::Machine* machine = session.machine();
     const auto program = driver::load_program(session, sources.add(path, text));

@@ -10,6 +10,7 @@
 #include "driver/cycles.h"
 #include "driver/session.h"
 #include "macro/program.h"
+#include "tests/common/inputs.h"
 #include "tests/common/whole_text.h"
 #include "tests/interp/bench.h"
 
@@ -37,12 +38,12 @@ std::string in_plane(std::string_view program, int turns) {
 }
 
 struct Planes : ::testing::Test {
-    Sources sources;
+    Sources sources = test::inputs().new_sources();
     DiagnosticList messages;
     std::optional<nc::Dialect> dialect =
         nc::load_dialect("sinumerik", {KADR_ROOT "/dialects"}, sources, messages);
     driver::Messages said{sources, {}, [](std::string_view) {}};
-    driver::Session session{{}, driver::share_below(KADR_ROOT), sources, said};
+    driver::Session session{{}, test::inputs(), sources, said};
 
     std::vector<path::Command> run(const std::string& text) {
         driver::LibraryCycles cycles(session, *dialect);

@@ -22,6 +22,7 @@
 #include "driver/session.h"
 #include "macro/program.h"
 #include "nc/tables.h"
+#include "tests/common/inputs.h"
 #include "tests/control/property_bench.h"
 #include "tests/control/random_program.h"
 #include "write/writer.h"
@@ -53,12 +54,12 @@ constexpr Tolerance kComputed{1e-6, 1e-4};
 /// A Kadr program as the text of a control.
 std::string expanded(const std::string& target, const std::string& program) {
     RC_LOG() << "---- kadr\n" << program;
-    static Sources sources;
+    static Sources sources = test::inputs().new_sources();
     std::string words;
     driver::Messages messages(sources, {}, [&](std::string_view text) { words += text; });
     driver::Options options;
     options.dialect = target;
-    driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
+    driver::Session session(options, test::inputs(), sources, messages);
     const nc::Dialect* dialect = session.chosen_dialect(target);
     const auto checked = driver::load_program(session, sources.add("random.kadr", program));
     std::string out;

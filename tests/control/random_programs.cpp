@@ -8,6 +8,7 @@
 
 #include <rapidcheck.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/control/random_program.h"
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/diagnostics/control.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "macro/program.h"
 #include "tests/common/held_texts.h"

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostic.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/docs/schema_page.h"
 #include "tests/docs/table_pages.h"

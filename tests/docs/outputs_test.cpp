@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace outputs_test {

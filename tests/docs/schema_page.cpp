@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "base/xml.h"
 #include "tests/docs/cells.h"

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace chamfers_test {

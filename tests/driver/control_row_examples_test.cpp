@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostic.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/common/messages.h"
 #include "tests/common/process.h"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace curves_of_a_run_test {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace five_axis_test {

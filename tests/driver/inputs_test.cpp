@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "driver/machine_inputs.h"
 #include "driver/operator_events.h"
 #include "tests/driver/scratch.h"

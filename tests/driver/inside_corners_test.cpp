@@ -13,6 +13,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace inside_corners_test {

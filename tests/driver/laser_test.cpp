@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "bench/laser_points.h"
 #include "tests/driver/scratch.h"

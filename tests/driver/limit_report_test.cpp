@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/driver/scratch.h"
 

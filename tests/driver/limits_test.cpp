@@ -8,9 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/execution.h"
 #include "process/scanner.h"
+#include "tests/common/inputs.h"
 #include "tests/motion/support.h"
 #include "tests/motion/tick_limits.h"
 
@@ -29,13 +31,13 @@ struct Executed {
 };
 
 Executed execute(const std::string& source, const std::string& machine) {
-    Sources sources;
+    Sources sources = test::inputs().new_sources();
     driver::Messages messages(sources, {driver::MessageFormat::Json, false, 20},
                               [](std::string_view line) { ADD_FAILURE() << line; });
     driver::Options options;
     options.dialect = "sinumerik";
     options.machine = machine;
-    driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
+    driver::Session session(options, test::inputs(), sources, messages);
     Executed executed;
     auto text = driver::open_source(session, source);
     auto execution = text ? driver::Execution::open(session, source, std::move(text)) : nullptr;

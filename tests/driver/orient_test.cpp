@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "tests/driver/same_paths.h"
 
 namespace orient_test {

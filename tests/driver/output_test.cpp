@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/diagnostics/driver.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/output_names.h"
 
@@ -39,7 +40,7 @@ class Outputs : public ::testing::Test {
 };
 
 TEST_F(Outputs, AppearWhenCommitted) {
-    const auto output = Output::open(file("a.nc"), sink_);
+    const auto output = Output::open(disk(), file("a.nc"), sink_);
     ASSERT_TRUE(output);
     output->write("G0 X1\n");
     EXPECT_FALSE(fs::exists(file("a.nc")));
@@ -51,7 +52,7 @@ TEST_F(Outputs, AppearWhenCommitted) {
 TEST_F(Outputs, LeaveNoTraceWhenDropped) {
     ASSERT_TRUE(write_file_whole(file("a.nc"), "old"));
     {
-        const auto output = Output::open(file("a.nc"), sink_);
+        const auto output = Output::open(disk(), file("a.nc"), sink_);
         ASSERT_TRUE(output);
         output->write(std::string(1 << 20, 'x'));  // more than any buffer holds
     }
@@ -63,7 +64,7 @@ TEST_F(Outputs, KeepPermissionsAndLinks) {
     ASSERT_TRUE(write_file_whole(file("real.nc"), "old"));
     fs::permissions(file("real.nc"), fs::perms::owner_read | fs::perms::owner_write);
     fs::create_symlink("real.nc", file("link.nc"));
-    const auto output = Output::open(file("link.nc"), sink_);
+    const auto output = Output::open(disk(), file("link.nc"), sink_);
     ASSERT_TRUE(output);
     output->write("new");
     EXPECT_TRUE(output->commit(sink_));
@@ -78,7 +79,7 @@ TEST_F(Outputs, UnwritablePlacesAreReportedBeforeWork) {
     for (const std::string& text : {file("missing/a.nc"), file("folder")}) {
         SCOPED_TRACE(text);
         DiagnosticList sink;
-        EXPECT_EQ(Output::open(text, sink), nullptr);
+        EXPECT_EQ(Output::open(disk(), text, sink), nullptr);
         ASSERT_EQ(sink.all().size(), 1u);
         EXPECT_EQ(sink.all()[0].row, &diag::FileUnwritable);
     }
@@ -86,7 +87,7 @@ TEST_F(Outputs, UnwritablePlacesAreReportedBeforeWork) {
 
 TEST_F(Outputs, FullDiskIsReported) {
     if (!fs::exists("/dev/full")) GTEST_SKIP();
-    const auto output = Output::open("/dev/full", sink_);
+    const auto output = Output::open(disk(), "/dev/full", sink_);
     ASSERT_TRUE(output);
     output->write("G0 X1\n");
     EXPECT_FALSE(output->commit(sink_));
@@ -110,8 +111,9 @@ TEST_F(Outputs, AreHeldApart) {
                            Row{"nowhere twice", {"/dev/null", "/dev/null"}, nullptr}}) {
         SCOPED_TRACE(row.name);
         DiagnosticList sink;
-        EXPECT_EQ(static_cast<bool>(driver::require_outputs_apart(source, row.outputs, sink)),
-                  row.expected == nullptr);
+        EXPECT_EQ(
+            static_cast<bool>(driver::require_outputs_apart(disk(), source, row.outputs, sink)),
+            row.expected == nullptr);
         const bool is_refused = row.expected != nullptr;
         ASSERT_EQ(sink.all().size(), is_refused ? 1u : 0u);
         if (is_refused) {

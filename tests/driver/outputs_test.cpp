@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace outputs_test {

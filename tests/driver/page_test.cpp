@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace page_test {

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "driver/run.h"
+#include "tests/common/inputs.h"
 #include "tests/driver/scratch.h"
 
 namespace kadr::path_check_test {
@@ -40,13 +41,13 @@ class PathCheckTest : public test::ScratchFolder {
         for (const bool has_threads : {false, true}) {
             std::filesystem::remove(file("out.csv"));
             ran.messages.clear();
-            Sources sources;
+            Sources sources = test::inputs().new_sources();
             driver::Messages messages(sources, {driver::MessageFormat::Text, false, 20},
                                       [&](std::string_view line) { ran.messages += line; });
             driver::Options options;
             options.dialect = "sinumerik";
             options.machine = machine;
-            driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
+            driver::Session session(options, test::inputs(), sources, messages);
             driver::RunJob job;
             job.source = file("part.mpf");
             job.outputs["--setpoints"] = file("out.csv");

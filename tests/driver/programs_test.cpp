@@ -14,9 +14,11 @@
 
 #include "base/diagnostics/driver.h"
 #include "base/diagnostics/iso.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/expand.h"
 #include "driver/run.h"
+#include "tests/common/inputs.h"
 
 namespace programs_test {
 
@@ -109,10 +111,10 @@ class Observation {
 
 driver::Status Observation::work(bool executes, const fs::path& text, const fs::path& map) {
     messages_.clear();
-    Sources sources;
+    Sources sources = test::inputs().new_sources();
     driver::Messages messages(sources, {driver::MessageFormat::Json, false, 20},
                               [this](std::string_view line) { messages_ += line; });
-    driver::Session session(program_.options, driver::share_below(KADR_ROOT), sources, messages);
+    driver::Session session(program_.options, test::inputs(), sources, messages);
     if (executes) {
         driver::RunJob job;
         job.source = file_.string();

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/same_paths.h"
 
 namespace same_orientation_test {

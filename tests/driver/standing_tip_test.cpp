@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "base/units.h"
 #include "machine/kinematics.h"
 #include "machine/machine.h"

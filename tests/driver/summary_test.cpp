@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/setpoints.h"
 
@@ -151,7 +152,7 @@ std::string table_of(const std::string& suffix, std::span<const motion::Setpoint
         suffix;
     DiagnosticList sink;
     const machine::Machine machine = two_axes();
-    const auto output = Output::open(file, sink);
+    const auto output = Output::open(disk(), file, sink);
     if (!output) return {};
     const std::unique_ptr<SetpointTable> table = open_setpoints(machine, *output);
     for (const motion::Setpoint& setpoint : setpoints) table->write(std::span(&setpoint, 1));

@@ -16,6 +16,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace surfaces_test {

@@ -10,9 +10,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/property_values.h"
 #include "sema/code.h"
+#include "tests/common/inputs.h"
 #include "tests/common/process.h"
 
 namespace test_command_test {
@@ -45,12 +47,12 @@ class TestCommand : public ::testing::Test {
                 driver::TestJob job = {}) const {
         EXPECT_TRUE(write_file_whole(file("part.kadr"), text));
         Outcome outcome;
-        Sources sources;
+        Sources sources = test::inputs().new_sources();
         driver::MessageOptions format;
         format.repeats = 1000;
         driver::Messages messages(sources, format,
                                   [&](std::string_view message) { outcome.messages += message; });
-        driver::Session session(options, driver::share_below(KADR_ROOT), sources, messages);
+        driver::Session session(options, test::inputs(), sources, messages);
         job.sources = {file("part.kadr")};
         job.output = file("list.txt");
         outcome.status = driver::test(session, job);

@@ -6,6 +6,7 @@
 #include "driver/cycles.h"
 #include "driver/file_text.h"
 #include "driver/line_map.h"
+#include "tests/common/inputs.h"
 
 namespace text_test {
 
@@ -52,10 +53,10 @@ TEST(LineMap, FindsTheStatementOfALineInFlight) {
 }
 
 TEST(LibraryCycles, UnknownCycleIsReported) {
-    Sources sources;
+    Sources sources = test::inputs().new_sources();
     std::string words;
     Messages messages(sources, {}, [&words](std::string_view text) { words += text; });
-    Session session({}, share_below(KADR_ROOT), sources, messages);
+    Session session({}, test::inputs(), sources, messages);
     const nc::Dialect* dialect = session.dialect("iso", {});
     ASSERT_NE(dialect, nullptr) << words;
     LibraryCycles cycles(session, *dialect);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "tests/driver/scratch.h"
 
 namespace ticks_test {

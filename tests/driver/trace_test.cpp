@@ -9,10 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/break_points.h"
 #include "driver/run.h"
 #include "driver/session.h"
+#include "tests/common/inputs.h"
 #include "tests/common/process.h"
 
 namespace kadr::trace_test {
@@ -520,11 +522,11 @@ TEST_F(TraceTest, PlacesThatAreNoneAreRefused) {
 std::string conversation(const std::string& program, const std::vector<std::string>& places,
                          std::vector<std::string> answers) {
     std::string words;
-    Sources sources;
+    Sources sources = test::inputs().new_sources();
     driver::Messages messages(sources, {}, [&words](std::string_view text) { words += text; });
     driver::Options options;
     options.dialect = "sinumerik";
-    driver::Session session(options, driver::find_share(), sources, messages);
+    driver::Session session(options, test::inputs(), sources, messages);
     driver::RunJob job;
     job.source = program;
     job.breaks = places;

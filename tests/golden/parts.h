@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/common/held_texts.h"
 

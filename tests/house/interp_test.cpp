@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace interp_test {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace questions_test {

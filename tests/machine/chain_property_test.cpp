@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <random>
 
+#include "base/disk_files.h"
 #include "machine/machine.h"
 #include "tests/machine/support.h"
 
@@ -34,7 +35,7 @@ struct Named {
 std::vector<Named> chains() {
     const std::string folder = std::string(KADR_ROOT) + "/runtime/machines";
     std::vector<Named> found;
-    for (const MachineSummary& summary : list({folder})) {
+    for (const MachineSummary& summary : list({folder}, disk())) {
         Sources sources;
         DiagnosticList diagnostics;
         const auto machine = load_machine(summary.name, {folder}, sources, diagnostics);

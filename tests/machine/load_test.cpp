@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "machine/machine.h"
 
 namespace kadr::machine::load_test {
@@ -70,7 +71,7 @@ TEST(MachineFile, StockMachinesLoad) {
 }
 
 TEST(MachineFile, ListsByName) {
-    const auto machines = list({kStock, "/no/such/folder"});
+    const auto machines = list({kStock, "/no/such/folder"}, disk());
     ASSERT_EQ(machines.size(), 17u);
     std::map<std::string, std::string> axes;
     for (const MachineSummary& machine : machines) axes[machine.name] = machine.axes;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "machine/machine.h"
 #include "machine/setpoint_columns.h"

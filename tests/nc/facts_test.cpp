@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "nc/vocabulary.h"
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/iso.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "nc/comment_text.h"
 #include "nc/inspect.h"
@@ -337,15 +338,15 @@ TEST(Load, Questions) {
     EXPECT_EQ(fanuc.alarm(diag::IsoUnknownCode)->number, "PS0010");
     EXPECT_FALSE(iso.alarm(diag::IsoUnknownCode));
     EXPECT_EQ(fanuc.power_on(Group::Plane), Function::PlaneXy);
-    const auto list = list_dialects(testing::dialect_folders());
+    const auto list = list_dialects(testing::dialect_folders(), disk());
     ASSERT_GE(list.size(), 4u);
     EXPECT_EQ(list[0].name, "axioma");
     EXPECT_EQ(list[0].extends, "sinumerik");
     const Dialect& axioma = testing::shipped("axioma");
     EXPECT_EQ(list[0].suffix, axioma.suffix());
     EXPECT_EQ(list[0].title, axioma.title());
-    EXPECT_TRUE(can_be_loaded("axioma", testing::dialect_folders()));
-    EXPECT_FALSE(can_be_loaded("nonesuch", testing::dialect_folders()));
+    EXPECT_TRUE(can_be_loaded("axioma", testing::dialect_folders(), disk()));
+    EXPECT_FALSE(can_be_loaded("nonesuch", testing::dialect_folders(), disk()));
 }
 
 TEST(Load, ExplainsWhatIsNotRead) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "nc/tables.h"
 #include "tests/common/scratch.h"

@@ -9,8 +9,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "repl/sketch.h"
+#include "tests/common/inputs.h"
 
 namespace kadr::repl::prompt_test {
 
@@ -24,7 +26,7 @@ class Conversation {
         driver::Options options;
         options.dialect = dialect;
         prompt_.emplace(
-            options, driver::share_below(KADR_ROOT),
+            options, test::inputs(),
             Surroundings{[this](std::string_view text) { heard_ += text; }, std::move(wait), 40},
             &stop_);
     }
@@ -466,7 +468,7 @@ TEST(Prompt, AsksBeforeItReplacesAFile) {
         questions.emplace_back(question);
         return answer;
     };
-    Prompt asking(options, driver::share_below(KADR_ROOT), surroundings, &stop);
+    Prompt asking(options, test::inputs(), surroundings, &stop);
     asking.take("G0 X1");
     asking.take(":save " + file);
     EXPECT_EQ(questions, std::vector<std::string>{"replace " + file + "?"});

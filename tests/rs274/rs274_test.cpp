@@ -13,12 +13,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "base/render.h"
 #include "base/text.h"
 #include "driver/cycles.h"
 #include "interp/interpreter.h"
 #include "machine/machine.h"
 #include "nc/reader.h"
+#include "tests/common/inputs.h"
 
 namespace rs274_test {
 
@@ -305,12 +307,12 @@ std::vector<std::string> program_names() {
 
 /// What Kadr makes of the program. Its machining cycles are those of the standard library.
 std::vector<Step> interpreted_steps(const Program& program) {
-    kadr::Sources sources;
+    kadr::Sources sources = kadr::test::inputs().new_sources();
     kadr::DiagnosticList sink;
     std::string cycle_messages;
     kadr::driver::Messages messages(sources, {},
                                     [&](std::string_view text) { cycle_messages += text; });
-    kadr::driver::Session session({}, kadr::driver::share_below(KADR_ROOT), sources, messages);
+    kadr::driver::Session session({}, kadr::test::inputs(), sources, messages);
     const std::string dialect_name =
         program.says("dialect fanuc") ? "fanuc" : kFolder + "linuxcnc.xml";
     const auto dialect =

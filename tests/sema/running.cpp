@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "base/diagnostics/driver.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "syntax/parse.h"
 
@@ -129,6 +130,13 @@ const nc::Dialect& dialect(const std::string& name) {
     return loaded.emplace(name, std::move(*read)).first->second;
 }
 
+/// Tests put tables and pictures where they like.
+static FileAccess& whole_disk() {
+    static FileAccess access(disk());
+    access.allow("/");
+    return access;
+}
+
 Checked check_program(const std::string& source, const RunOptions& options) {
     Checked checked;
     checked.sources = std::make_unique<Sources>();
@@ -140,8 +148,10 @@ Checked check_program(const std::string& source, const RunOptions& options) {
                                *checked.messages);
     const bool was_read = !checked.messages->has_errors();
     if (was_read || options.with_broken_text) {
+        sema::CheckOptions checking;
+        checking.files = &whole_disk();
         sema::CheckResult result = sema::check(parts->ast, dialect(options.source), *parts->modules,
-                                               *checked.sources, *checked.messages);
+                                               *checked.sources, *checked.messages, checking);
         checked.code = std::move(result.code);
         checked.facts = std::move(result.checked);
     }
@@ -162,7 +172,9 @@ Outcome run(const std::string& source, const RunOptions& options) {
     Outcome outcome;
     if (checked.code) {
         outcome.code = sema::print(*checked.code);
-        expand::Expander expander(*checked.code, dialect(options.target), options.expand,
+        expand::ExpandOptions expanding = options.expand;
+        expanding.files = &whole_disk();
+        expand::Expander expander(*checked.code, dialect(options.target), expanding,
                                   *checked.messages);
         if (expander.start(options.program, options.defines)) {
             // A small batch, so that instructions which make several blocks cross its end.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "sema/csv.h"
 #include "tests/sema/running.h"
 
@@ -146,8 +147,10 @@ TEST_F(Tables, HaveALimit) {
     schema.slots = 65535;
     schema.columns.emplace_back().name = "d";
     DiagnosticList messages;
+    FileAccess access(disk());
+    access.allow(folder_.string());
     const auto rows =
-        sema::read_table(schema, {}, (folder_ / "t.csv").string(), {}, nullptr, messages);
+        sema::read_table(schema, {}, (folder_ / "t.csv").string(), {}, &access, messages);
     EXPECT_FALSE(rows);
     ASSERT_EQ(messages.all().size(), 1u);
     EXPECT_EQ(messages.all()[0].row->code, "K2624");

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 
 namespace coverage_test {

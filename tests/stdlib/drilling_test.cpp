@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/common/process.h"
 #include "tests/stdlib/commands.h"

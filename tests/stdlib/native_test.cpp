@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/numbers.h"
 #include "base/text.h"
 #include "tests/common/process.h"

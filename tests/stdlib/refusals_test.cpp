@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/common/process.h"
 #include "tests/common/scratch.h"

@@ -2,6 +2,7 @@
 // of the tree, except the `else` of C.
 #include <filesystem>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "parsing.h"
 #include "syntax/complain.h"

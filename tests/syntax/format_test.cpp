@@ -5,6 +5,7 @@
 #include <random>
 #include <regex>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "tests/syntax/parsing.h"
 

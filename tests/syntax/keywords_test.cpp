@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "parsing.h"
 #include "tests/common/scratch.h"

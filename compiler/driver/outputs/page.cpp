@@ -21,7 +21,7 @@ std::optional<std::string> page_template(Session& session) {
     const char* chosen = std::getenv("KADR_PAGE");
     const std::string name =
         chosen != nullptr && *chosen != '\0' ? chosen : session.share().page_template;
-    auto page = read_file(name);
+    auto page = session.files().read(name);
     if (!page) {
         session.messages().report(diag::PageTemplateMissing).arg(name);
         return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<std::string> page_template(Session& session) {
         session.messages().report(diag::PageTemplateBroken).arg(name).arg(*missing);
         return std::nullopt;
     }
-    return page;
+    return *std::move(page);
 }
 
 class PageOutput final : public RunOutput {
@@ -117,9 +117,10 @@ void PageOutput::read_texts() {
         const auto index = static_cast<std::int32_t>(i);
         if (text.name == execution_->text_name() && !made_.empty()) {
             texts_.append(index, made_);
-        } else if (auto read = read_file(text.name)) {
-            end_lines_with_feeds(*read);
-            texts_.append(index, *read);
+        } else if (auto read = session_.files().read(text.name)) {
+            std::string lines = *std::move(read);
+            end_lines_with_feeds(lines);
+            texts_.append(index, lines);
         }
     }
 }
