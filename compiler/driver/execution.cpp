@@ -8,6 +8,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/driver.h"
+#include "base/diagnostics/expand.h"
 #include "base/diagnostics/iso.h"
 #include "base/text.h"
 #include "driver/machine_inputs.h"
@@ -202,7 +203,8 @@ class Execution::StatementNotes final : public DiagnosticSink {
     std::size_t alarms_ = 0;
 };
 
-Execution::Execution(Session& session) : session_(session), deadline_(session.options().max_time) {}
+Execution::Execution(Session& session)
+    : session_(session), deadline_(session.options().max_time, session.options().stop) {}
 Execution::~Execution() = default;
 
 std::unique_ptr<FileText> open_source(Session& session, const std::string& source) {
@@ -365,7 +367,8 @@ void Execution::connect(DiagnosticSink& sink) {
     program_options.call = options.call;
     program_options.events = aside_.input_events;
     program_options.axis_names = axis_names(*machine_, session_.machine_data());
-    if (options.max_time > 0) program_options.is_over = [this] { return deadline_.is_over(); };
+    if (options.max_time > 0 || options.stop != nullptr)
+        program_options.is_over = [this] { return deadline_.is_over(); };
     if (options.max_blocks != 0) {  // it counts what the other limits count
         constexpr auto kNone = std::numeric_limits<std::uint64_t>::max();
         program_options.max_blocks = options.max_blocks;
@@ -406,7 +409,13 @@ void Execution::check_time() {
     is_late_ = true;
     // A loop without blocks was cut in the middle.
     const std::uint64_t line = reader_->stopped() ? reader_->line() : last_line_;
-    sink_->report(diag::TimeIsUp, shown_location(static_cast<std::uint32_t>(line), {}))
+    const auto location = shown_location(static_cast<std::uint32_t>(line), {});
+    if (deadline_.is_cancelled()) {
+        // The evaluator of a Kadr program was asked as well, and may have answered before.
+        if (session_.messages().errors() == 0) sink_->report(diag::EvaluationStopped, location);
+        return;
+    }
+    sink_->report(diag::TimeIsUp, location)
         .arg(deadline_.seconds())
         .arg(static_cast<std::size_t>(blocks()));
 }

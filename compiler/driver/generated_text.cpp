@@ -60,7 +60,7 @@ GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
       line_map_(std::make_unique<LineMap>()),
       call_map_(keeps_calls ? std::make_unique<CallMap>() : nullptr),
       batch_(kBlocksAtOnce),
-      deadline_(session.options().max_time) {}
+      deadline_(session.options().max_time, nullptr) {}
 
 GeneratedText::~GeneratedText() = default;
 

@@ -54,7 +54,8 @@ struct Options {
     std::optional<std::string> call;          // arguments with which ISO-7bit text is called
     std::vector<std::string> sets;            // … `NAME=VALUE`, which comes behind the files
     std::optional<double> tick;               // s; nothing: as the machine has it
-    const std::atomic<bool>* stop = nullptr;  // set from outside: what runs ends with an error
+    const std::atomic<bool>* stop = nullptr;  // set from outside, by any thread: what works ends
+                                              // soon, with an error
     sema::CheckOptions check;                 // what a prompt may do
     std::vector<std::string>* shown = nullptr;  // gets their values, as texts
 };

@@ -22,9 +22,13 @@ void name_truth(Session& session, sema::Code& code) {
     }
 }
 
-/// The time may be over before the program was checked.
+/// The time may be over before the program was checked, or somebody may not want it any more.
 Done require_time(Session& session, FileId file) {
     if (!session.deadline().is_over()) return kDone;
+    if (session.deadline().is_cancelled()) {
+        session.messages().report(diag::EvaluationStopped, SourceRange{file, 0, 0});
+        return kFailed;
+    }
     session.messages()
         .report(diag::TimeLimit, SourceRange{file, 0, 0})
         .arg(session.deadline().seconds())

@@ -66,7 +66,7 @@ Session::Session(Options options, SharedInputs& inputs, Sources& sources, Messag
       sources_(sources),
       messages_(messages),
       access_(inputs.files(), options_.max_input),
-      deadline_(options_.max_time),
+      deadline_(options_.max_time, options_.stop),
       output_limit_(options_.max_output) {
     KADR_ASSERT(sources.shared() == &inputs.sources(), "a session whose texts are not shared");
     for (const std::string& folder : options_.allow_read) access_.allow(folder);

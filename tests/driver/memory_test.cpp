@@ -1,5 +1,5 @@
-// Everything from memory: no file of the disk is read or written. An editor's texts, and what
-// checks share.
+// Everything from memory: no file of the disk is read or written. An editor's texts, what checks
+// share, and how a check is cancelled.
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -258,6 +258,40 @@ TEST_F(Memory, WhatOneSessionHoldsOutlivesAChange) {
     for (const SourceRange& range : held->code->statements)
         found += holding.session().sources().text(range).find("Z=to") != std::string_view::npos;
     EXPECT_GT(found, 0U);
+}
+
+// ---------------------------------------------------------------- cancelled
+
+TEST_F(Memory, ACheckThatNobodyWantsAnyMoreEnds) {
+    // By itself it would make 20 million blocks.
+    files_.put(kWork + "/endless.kadr", "program p() { while (true) { G0 X1; G0 X2; } }\n");
+    std::atomic<bool> stop{false};
+    Command checking(*inputs_, "", &stop);
+    std::thread other([&stop] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        stop = true;
+    });
+    const Status status = checking.check(kWork + "/endless.kadr");
+    other.join();
+    EXPECT_EQ(status, Status::Failed);
+    EXPECT_NE(checking.heard().find("[K3410]"), std::string::npos) << checking.heard();
+    EXPECT_EQ(checking.heard().find("[K3403]"), std::string::npos) << checking.heard();
+}
+
+TEST_F(Memory, ACancelledCommandWritesNothing) {
+    files_.put(kWork + "/loop.nc", "O1\nWHILE[1EQ1]DO1\nG0X1.\nG0X2.\nEND1\nM30\n");
+    std::atomic<bool> stop{true};
+    Command running(*inputs_, "fanuc", &stop);
+    EXPECT_NE(running.run(kWork + "/loop.nc", {{"--commands", kWork + "/commands.jsonl"}}),
+              Status::Done);
+    EXPECT_NE(running.heard().find("[K3410]"), std::string::npos) << running.heard();
+
+    // Before anything of it was parsed: nothing of the half is kept for the next.
+    Command parsing(*inputs_, "", &stop);
+    EXPECT_EQ(parsing.check(kWork + "/part.kadr"), Status::Failed);
+    stop = false;
+    Command again(*inputs_);
+    EXPECT_EQ(again.check(kWork + "/part.kadr"), Status::Done) << again.heard();
 }
 
 }  // namespace
