@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "interp/discarding_sink.h"
+#include "base/discarding_sink.h"
 #include "nc/block.h"
 #include "nc/dialect.h"
 #include "nc/reader.h"

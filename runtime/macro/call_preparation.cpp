@@ -7,6 +7,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "macro/fixed_targets.h"
 #include "macro/program_run.h"
 #include "nc/number_text.h"
 #include "nc/quoted.h"
@@ -17,17 +18,6 @@ using nc::CallForm;
 using nc::ControlStatement;
 using nc::quoted;
 using nc::Statement;
-
-namespace {
-
-/// 10 to the power of so many digits.
-std::int64_t power_of_ten(int digits) {
-    std::int64_t out = 1;
-    for (int i = 0; i < digits; ++i) out *= 10;
-    return out;
-}
-
-}  // namespace
 
 Outcome CallPreparation::number_of(CompiledLine& line, const nc::CallValue& value,
                                    std::optional<double>& out) {
@@ -85,16 +75,12 @@ Outcome CallPreparation::program_name(CompiledLine& line, const ControlStatement
         }
         return run_.fail(line, diag::CallIncomplete, words.span, written(words.span));
     }
-    if (*number != std::floor(*number) || !(*number >= 1 && *number < 1e12))
+    const auto program = program_numbered(*number, split_of(form, words));
+    if (!program)
         return run_.fail(line, diag::CallIncomplete, words.program.span,
                          written(words.program.span));
-    auto whole = static_cast<std::int64_t>(*number);
-    const int digits = form != nullptr ? form->split : 0;
-    if (digits > 0 && !words.repeats.is_given && whole >= power_of_ten(digits)) {
-        out.passes = whole / power_of_ten(digits);
-        whole %= power_of_ten(digits);
-    }
-    name = std::to_string(whole);
+    out.passes = program->passes;
+    name = program->name;
     return Outcome::Nothing;
 }
 

@@ -2,6 +2,7 @@
 #include "macro/line_compiler.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
@@ -13,6 +14,34 @@ namespace kadr::macro {
 using nc::Block;
 using nc::LineFault;
 using nc::Statement;
+
+std::optional<LineFault> compile_block(const nc::DialectTables& tables,
+                                       const nc::SymbolTable& symbols, std::string_view text,
+                                       const nc::LineContext& context, nc::ControlLine& out) {
+    nc::LineContext plain = context;
+    plain.is_argument = false;
+    auto fault = compile_line(tables, symbols, text, out, plain);
+    const bool is_argument = context.is_argument && out.statements.empty() &&
+                             (fault ? out.calls.empty() : !out.words.words.empty());
+    return is_argument ? compile_line(tables, symbols, text, out, context) : fault;
+}
+
+std::vector<std::string> words_of_declaration(const nc::DialectTables& tables,
+                                              std::string_view text) {
+    const nc::ControlWords words(tables, text);
+    std::vector<std::string> found;
+    bool is_declaration = false;
+    for (std::size_t at = 0; !words.is_end(at);) {
+        const nc::LetterRun word = words.word_at(at);
+        const auto declares = [&](const nc::StatementForm& form) {
+            return form.statement == Statement::Declare && words.matches(word, form.tokens[0].text);
+        };
+        if (is_declaration && !word.text.empty()) found.push_back(words.normal(word.text));
+        is_declaration |= std::ranges::any_of(tables.language.statements, declares);
+        at += std::max<std::size_t>(1, word.text.size());
+    }
+    return found;
+}
 
 /// What kind of line it is; one that cannot be read stays New.
 void LineCompiler::compile(CompiledLine& line, Block& out) {
@@ -31,37 +60,15 @@ void LineCompiler::compile(CompiledLine& line, Block& out) {
 
 void LineCompiler::compile_language(CompiledLine& line) {
     line.kind = CompiledLine::Kind::New;
-    const nc::SymbolTable& symbols = run_.variables.level().symbols;
-    nc::LineContext plain = line.context;
-    plain.is_argument = false;
-    auto fault = compile_line(run_.tables, symbols, line.text, line.line, plain);
-    // Under a modal call of blocks those that are no statements are its arguments.
-    const bool is_argument =
-        line.context.is_argument &&
-        (fault ? line.line.statements.empty() && line.line.calls.empty()
-               : line.line.statements.empty() && !line.line.words.words.empty());
-    if (is_argument) fault = compile_line(run_.tables, symbols, line.text, line.line, line.context);
+    const auto fault = compile_block(run_.tables, run_.variables.level().symbols, line.text,
+                                     line.context, line.line);
     if (!fault) line.kind = CompiledLine::Kind::Compiled;
     if (!fault) return;
-    note_lost_names(line);
+    for (std::string& name : words_of_declaration(run_.tables, line.text))
+        lost_names_.insert(std::move(name));
     // A name that a line with a mistake should have declared is no second mistake.
     if (is_lost(line, *fault)) run_.lines.faults().note_fault();
     else run_.lines.report_fault(line.text, *fault);
-}
-
-/// The names of a line that declares variables and could not be read.
-void LineCompiler::note_lost_names(const CompiledLine& line) {
-    const nc::ControlWords words(run_.tables, line.text);
-    bool is_declaration = false;
-    for (std::size_t at = 0; !words.is_end(at);) {
-        const nc::LetterRun word = words.word_at(at);
-        const auto declares = [&](const nc::StatementForm& form) {
-            return form.statement == Statement::Declare && words.matches(word, form.tokens[0].text);
-        };
-        if (is_declaration && !word.text.empty()) lost_names_.insert(words.normal(word.text));
-        is_declaration |= std::ranges::any_of(run_.language.statements, declares);
-        at += std::max<std::size_t>(1, word.text.size());
-    }
 }
 
 bool LineCompiler::is_lost(const CompiledLine& line, const LineFault& fault) const {

@@ -1,12 +1,12 @@
 // line_texts.h — names in a line that stand for text or for numbers of variables.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 
 #include "macro/outcome.h"
 #include "macro/program_frame.h"
+#include "macro/variable_numbers.h"
 
 namespace kadr::macro {
 
@@ -25,11 +25,9 @@ class LineTexts {
     Outcome name_variables(CompiledLine& line, const nc::ControlStatement& statement);
 
   private:
-    std::string_view with_names(std::string_view text);
-
     ProgramBase& run_;
-    std::map<std::string, std::int64_t> names_;  // that the program has given
-    std::string named_text_;                     // of the line that is read, with their numbers
+    VariableNumbers names_;      // that the program has given
+    std::string named_text_;     // of the line that is read, with their numbers
     std::string expanded_text_;  // of the line that is read, if it has words that stand for text
 };
 

@@ -115,6 +115,11 @@ class ProgramBase {
     Outcome fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
                  const nc::Span& span, const std::string& what);
 
+    /// Tells who looks on that the line, of the program that runs, leads to one of the program
+    /// `to`.
+    void show_way(WayTaken::Kind kind, const CompiledLine& line, const ProgramUnit& to,
+                  const LinePosition& target);
+
   private:
     void warn_of_radians(const CompiledLine& line);
     void report_missing(const CompiledLine& line);

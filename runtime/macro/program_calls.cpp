@@ -45,7 +45,10 @@ Outcome Calls::call(CompiledLine& line, const ControlStatement& statement) {
     PreparedCall prepared;
     done = run_.call_preparation.prepare(line, statement, prepared);
     if (!goes_on(done)) return done;
-    return begin(line, prepared);
+    done = begin(line, prepared);
+    if (goes_on(done))
+        run_.show_way(WayTaken::Kind::Call, line, *prepared.unit, prepared.unit->begin);
+    return done;
 }
 
 /// A section of this program by its label; with a count it is repeated instead.
@@ -67,7 +70,10 @@ Outcome Calls::call_section(CompiledLine& line, const ControlStatement& statemen
     prepared.site = std::make_shared<nc::CallSite>(
         nc::CallSite{run_.lines.location(line.text, line.program_line.line.line, statement.span),
                      run_.frame->site});
-    return begin(line, prepared);
+    done = begin(line, prepared);
+    if (goes_on(done))
+        run_.show_way(WayTaken::Kind::Call, line, *prepared.unit, prepared.from->line);
+    return done;
 }
 
 Outcome Calls::check_depth(CompiledLine& line, const PreparedCall& call, const nc::Span& span) {
@@ -134,6 +140,7 @@ Outcome Calls::begin(CompiledLine& line, const PreparedCall& call) {
                              quoted("N" + std::to_string(call.start)));
         }
         callee->here = found.line;
+        if (!call.is_modal) run_.show_way(WayTaken::Kind::Jump, line, *call.unit, found.line);
     }
     if (call.from) callee->here = call.from->line;
     if (saves || call.is_shape) callee->modal_before = run_.lines.modes().modal();

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/diagnostics/control.h"
+#include "macro/fixed_targets.h"
 #include "macro/program_base.h"
-#include "nc/control_words.h"
 
 namespace kadr::macro {
 
@@ -31,21 +31,10 @@ Result<LineTarget, Outcome> Jumps::resolve(CompiledLine& line, const JumpTarget&
     ControlValue value;
     const Outcome done = run_.evaluate(line, target.value, value);
     if (!goes_on(done)) return done;
-    if (value.is_text()) {
-        const nc::ControlWords words(run_.tables, line.text);
-        out.label = words.normal(run_.evaluator.text(value));
-        out.number = words.block_number(out.label);
-        if (out.number >= 0) out.label.clear();
-        return out;
-    }
-    const double number = value.number;
-    if (number != std::floor(number) || number < 1 ||
-        number > static_cast<double>(run_.tables.block_numbers.most))
-        return run_.fail(line, diag::JumpTargetInvalid, target.span,
-                         {run_.evaluator.written(value)});
-    out.label.clear();
-    out.number = static_cast<std::int64_t>(number);
-    return out;
+    if (value.is_text())
+        return target_named(nc::ControlWords(run_.tables, line.text), run_.evaluator.text(value));
+    if (const auto block = block_numbered(run_.tables, value.number)) return *block;
+    return run_.fail(line, diag::JumpTargetInvalid, target.span, {run_.evaluator.written(value)});
 }
 
 /// Where a jump goes to. An alarm where there is no such target, but for a jump that may have none:
@@ -55,9 +44,7 @@ Outcome Jumps::find_target(CompiledLine& line, const ControlStatement& statement
     const auto wanted = resolve(line, statement.target);
     if (!wanted) return wanted.error();
     target = *wanted;
-    const Direction direction = statement.kind == Statement::JumpForward    ? Direction::Forward
-                                : statement.kind == Statement::JumpBackward ? Direction::Backward
-                                                                            : Direction::Both;
+    const Direction direction = direction_of(statement.kind);
     ProgramLine program_line;
     const ProgramMap::Fault fault =
         run_.map().find(target, direction, line.program_line, program_line);
@@ -79,6 +66,7 @@ Outcome Jumps::jump(CompiledLine& line, const ControlStatement& statement) {
     const Outcome done = find_target(line, statement, target, found);
     if (!goes_on(done) || !found) return done;
     warn_of_twin(line, statement.target.span, target, *found);
+    run_.show_way(WayTaken::Kind::Jump, line, *run_.frame->unit, found->line);
     return go(line, *found, statement.span);
 }
 
@@ -379,6 +367,7 @@ Outcome Jumps::repeat_section(CompiledLine& line, const ControlStatement& statem
     if (!run_.count_turn())
         return run_.fail(line, diag::EndlessLoop, statement.span,
                          {std::to_string(run_.options.max_turns)});
+    run_.show_way(WayTaken::Kind::Repeat, line, *run_.frame->unit, begin.line);
     run_.frame->repeats.push_back(repeat);
     run_.frame->goes_on = begin.line;
     return Outcome::Nothing;

@@ -183,7 +183,10 @@ void ProgramUnits::look_for_head(ProgramUnit& unit) const {
     std::string_view line;
     bool is_too_long = false;
     bool is_first = true;
+    LinePosition here = unit.begin;
+    LinePosition next = unit.begin;
     while (unit.text->source.next(line, is_too_long)) {
+        here = std::exchange(next, {unit.text->source.offset(), next.line + 1});
         const bool is_header =
             nc::program_of_header(tables_.language.calls, line, tables_.notation.ignores_case)
                 .has_value();
@@ -195,6 +198,7 @@ void ProgramUnits::look_for_head(ProgramUnit& unit) const {
         nc::ControlLine head;
         unit.has_wrong_head = compile_line(tables_, nc::SymbolTable(), line, head).has_value();
         if (!unit.has_wrong_head && !head.statements.empty()) unit.head = std::move(head);
+        unit.head_line = here;
         return;
     }
 }

@@ -69,6 +69,7 @@ struct ProgramUnit {
     std::unordered_map<std::uint64_t, std::unique_ptr<CompiledLine>> compiled;
     bool has_looked_for_head = false;
     std::optional<nc::ControlLine> head;  // with its statement, if it is a procedure
+    LinePosition head_line;               // … where that stands
     bool has_wrong_head = false;  // … that has a fault, which is reported where it is executed
 
     const nc::ControlStatement* procedure() const { return head ? &head->statements[0] : nullptr; }

@@ -41,10 +41,10 @@ TextMacros::Fault TextMacros::define(const nc::DialectTables& tables, std::strin
     return Fault::None;
 }
 
-std::optional<std::string> TextMacros::expanded(const nc::DialectTables& tables,
-                                                std::string_view line) const {
+std::optional<ReplacedText> TextMacros::expanded(const nc::DialectTables& tables,
+                                                 std::string_view line) const {
     const nc::ControlWords words(tables, line);
-    std::optional<std::string> out;
+    std::optional<ReplacedText> out;
     std::size_t copied = 0;
     for (std::size_t at = 0; at < line.size() && !words.is_comment(at);) {
         if (line[at] == '"') {
@@ -56,16 +56,17 @@ std::optional<std::string> TextMacros::expanded(const nc::DialectTables& tables,
             continue;
         }
         const std::size_t end = end_of_name(line, at);
-        const std::string name = words.normal(line.substr(at, end - at));
+        std::string name = words.normal(line.substr(at, end - at));
         const auto macro = std::ranges::find(macros_, name, &Macro::name);
         if (macro != macros_.end()) {
             if (!out) out.emplace();
-            out->append(line.substr(copied, at - copied)).append(macro->text);
+            out->text.append(line.substr(copied, at - copied));
+            out->put(macro->text, at, end, std::move(name));
             copied = end;
         }
         at = end;
     }
-    if (out) out->append(line.substr(copied));
+    if (out) out->text.append(line.substr(copied));
     return out;
 }
 

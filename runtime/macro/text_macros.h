@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "macro/replaced_text.h"
 #include "nc/tables.h"
 
 namespace kadr::macro {
@@ -23,8 +24,8 @@ class TextMacros {
     /// source  S 1.5, 1.7
     Fault define(const nc::DialectTables& tables, std::string_view definition);
     /// The line with the text of every such word outside comments and texts; nothing: it has none.
-    std::optional<std::string> expanded(const nc::DialectTables& tables,
-                                        std::string_view line) const;
+    std::optional<ReplacedText> expanded(const nc::DialectTables& tables,
+                                         std::string_view line) const;
 
   private:
     struct Macro {

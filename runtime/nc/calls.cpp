@@ -87,6 +87,18 @@ const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line
     return found == calls.headers.end() ? nullptr : &*found;
 }
 
+std::optional<std::string_view> name_in_header(const CallLanguage& calls, std::string_view line,
+                                               bool ignores_case) {
+    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+    std::string_view behind;
+    const ProgramPattern* const head = header_of(calls, line, ignores_case, &behind);
+    if (head == nullptr) return std::nullopt;
+    std::string_view name = line.substr(head->before.size());
+    name.remove_suffix(behind.size() + head->behind.size());
+    while (!name.empty() && is_blank(name.front())) name.remove_prefix(1);
+    return name;
+}
+
 std::optional<std::string> program_of_header(const CallLanguage& calls, std::string_view line,
                                              bool ignores_case) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);

@@ -81,6 +81,9 @@ const ProgramPattern* header_of(const CallLanguage& calls, std::string_view line
 /// The program that begins with this line.
 std::optional<std::string> program_of_header(const CallLanguage& calls, std::string_view line,
                                              bool ignores_case);
+/// Where such a line names its program, a part of it; nothing: the line is no head.
+std::optional<std::string_view> name_in_header(const CallLanguage& calls, std::string_view line,
+                                               bool ignores_case);
 /// The program that a path or the name of a file means: `/_N_SPF_DIR/_N_POCK_SPF` is POCK.
 std::string program_of_path(const CallLanguage& calls, std::string_view path, bool ignores_case);
 /// The kind that programs of a form have, the letters behind their names: SPF of `{name}.SPF`.

@@ -48,6 +48,7 @@ class Front {
             number = number * 10 + (line_[end] - '0');
         if (end == first) return at;
         front_.number = number;
+        front_.number_span = {static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(end)};
         return words_.skip_blanks(end);
     }
 
@@ -203,6 +204,7 @@ LineFront front_of(const DialectTables& tables, std::string_view line) {
     if (!has_split_words(tables, line)) return Front(tables, line).look();
     const LineWithoutBlanks whole = without_blanks(tables, line);
     LineFront front = Front(tables, whole.text).look();
+    if (front.number >= 0) whole.put_back(front.number_span);
     if (!front.label.empty()) {
         // It stays when the text is gone.
         const auto at = static_cast<std::uint32_t>(front.label.data() - whole.text.data());

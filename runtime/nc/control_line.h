@@ -285,6 +285,7 @@ std::optional<LineFault> compile_line(const DialectTables& tables, const SymbolT
 /// statement at its front. Quick: nothing is compiled.
 struct LineFront {
     std::int64_t number = -1;
+    Span number_span;        // with its letter
     std::string_view label;  // as it stands in the line
     Statement statement = Statement::None;
     std::uint32_t closes = 0;
@@ -293,8 +294,7 @@ struct LineFront {
 };
 LineFront front_of(const DialectTables& tables, std::string_view line);
 
-/// The number or the text between quotes that stands at an index, as the statement Label has it;
-/// empty: none does.
+/// The number or the quoted text at an index, as the statement Label has it; empty: none is there.
 std::string_view label_at(std::string_view line, std::size_t at);
 
 }  // namespace kadr::nc

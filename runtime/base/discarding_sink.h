@@ -1,13 +1,13 @@
-// discarding_sink.h — a sink for what is not to be reported. Internal to interp.
+// discarding_sink.h — a sink for what is not to be reported.
 #pragma once
 
 #include "base/diagnostic.h"
 
-namespace kadr::interp {
+namespace kadr {
 
 class DiscardingSink final : public DiagnosticSink {
   public:
     void take(Diagnostic) override {}
 };
 
-}  // namespace kadr::interp
+}  // namespace kadr
