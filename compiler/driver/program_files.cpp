@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "base/diagnostics/driver.h"
 #include "driver/file_text.h"
@@ -17,6 +18,21 @@ const std::vector<std::string>& ProgramFolders::names_in(const std::string& fold
         if (entry.kind == FileKind::File) found.push_back(std::move(entry.name));
     }
     return found;
+}
+
+std::vector<std::string> ProgramFolders::names(const nc::Dialect& dialect) {
+    const nc::DialectTables& tables = dialect.tables();
+    std::set<std::string> found;
+    for (const std::string& folder : folders_) {
+        for (const Entry& entry : entries(folder)) {
+            for (const nc::ProgramPattern& pattern : tables.language.calls.files) {
+                if (auto name =
+                        nc::match_program(pattern, entry.name, tables.notation.ignores_case, true))
+                    found.insert(std::move(*name));
+            }
+        }
+    }
+    return {found.begin(), found.end()};
 }
 
 /// No link may lead away from the folders of programs.

@@ -21,6 +21,7 @@ class ProgramFolders final : public macro::ProgramFiles {
 
     std::optional<File> open(const nc::Dialect& dialect, const std::string& program,
                              const std::string& kind) override;
+    std::vector<std::string> names(const nc::Dialect& dialect) override;
 
   private:
     const std::vector<std::string>& names_in(const std::string& folder);

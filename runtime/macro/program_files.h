@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "nc/reader.h"
 
@@ -16,6 +17,11 @@ class ProgramFiles {
         std::unique_ptr<nc::TextSource> text;
     };
     virtual ~ProgramFiles() = default;
+    /// The names of all of them that the dialect's programs can call, each once.
+    virtual std::vector<std::string> names(const nc::Dialect& dialect) {
+        static_cast<void>(dialect);
+        return {};
+    }
     /// The file of the program with this name (a number without leading zeros), which can be read
     /// again from any position. Nothing: there is none.
     ///

@@ -22,7 +22,6 @@
 #include "driver/cycles.h"
 #include "driver/program_files.h"
 #include "driver/session.h"
-#include "macro/line_watch.h"
 #include "macro/program.h"
 #include "nc/dialect_on_machine.h"
 #include "nc/mode_words.h"
@@ -31,17 +30,16 @@
 #include "tests/common/inputs.h"
 #include "tests/control/control_machines.h"
 #include "tests/control/control_programs.h"
+#include "tests/control/taken_ways.h"
 
 namespace kadr::interp::control_test {
 
 using macro::ControlVariable;
-using macro::LineWatch;
 using macro::NcProgram;
 using macro::PrintTarget;
 using macro::ProgramFiles;
 using macro::ProgramOptions;
 using macro::VariableChange;
-using macro::WatchedLine;
 namespace {
 
 namespace fs = std::filesystem;
@@ -298,6 +296,7 @@ struct Outcome {
     std::vector<std::string> dwells;
     std::vector<std::string> printed;
     std::vector<Diagnostic> messages;
+    std::vector<KeptWay> ways;  // if somebody looks on
 };
 
 /// Keeps what a program prints.
@@ -330,12 +329,6 @@ CycleExpander* cycles_of(const nc::Dialect& dialect) {
     return cycles.get();
 }
 
-/// Looks on from the first line to the last one, as a trace does.
-class LooksOn final : public LineWatch {
-  public:
-    bool comes_to(const WatchedLine&) override { return true; }
-};
-
 /// called    where the programs stand that it calls
 /// can_seek  the text can be read again. One that cannot is watched line by line, and each change
 ///           of a variable is noted: who looks on changes nothing.
@@ -363,7 +356,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     Interpreter interpreter(dialect, machine, program, &program, cycles_of(dialect), interpreting,
                             messages);
     program.follow(interpreter);
-    LooksOn watch;
+    WatchedWays watch;
     std::vector<VariableChange> changes;
     if (!can_seek) program.show_to(&watch, &changes);
     std::vector<path::Command> batch(5);
@@ -385,6 +378,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     }
     outcome.variables = program.variables();
     outcome.messages = messages.all();
+    outcome.ways = watch.ways();
     return outcome;
 }
 
@@ -803,7 +797,16 @@ struct Case {
     std::string dialect;
 };
 
-class Control : public testing::TestWithParam<Case> {};
+class Control : public testing::TestWithParam<Case> {
+  public:
+    /// Nobody compares nothing.
+    static void TearDownTestSuite() {
+        const auto& all = *testing::UnitTest::GetInstance();
+        if (all.test_to_run_count() != all.total_test_count()) return;
+        EXPECT_GT(compared_ways, 600u);
+    }
+    static inline std::size_t compared_ways = 0;
+};
 
 TEST_P(Control, DoesWhatTheManualSays) {
     const std::string text = content_of(GetParam().program.file);
@@ -812,10 +815,12 @@ TEST_P(Control, DoesWhatTheManualSays) {
     const bool is_on_lathe = machine_named(expected.machine, false).is_lathe;
     const nc::Dialect& dialect = dialect_named(
         GetParam().dialect, is_on_lathe ? nc::MachineKind::Lathe : nc::MachineKind::Mill);
+    const fs::path called = GetParam().program.called();
     for (const bool can_seek : {true, false}) {
         SCOPED_TRACE(can_seek ? "from a file" : "through a pipe, with a trace");
-        check(expected, run_program(dialect, text, expected, GetParam().program.called(), can_seek),
-              expected.machine == "lathe" || is_of_lathe(dialect));
+        const Outcome outcome = run_program(dialect, text, expected, called, can_seek);
+        check(expected, outcome, expected.machine == "lathe" || is_of_lathe(dialect));
+        compared_ways += expect_references(dialect, text, called, outcome.ways, outcome.messages);
     }
 }
 
