@@ -24,10 +24,10 @@ std::vector<std::string> ProgramFolders::names(const nc::Dialect& dialect) {
     const nc::DialectTables& tables = dialect.tables();
     std::set<std::string> found;
     for (const std::string& folder : folders_) {
-        for (const Entry& entry : entries(folder)) {
+        for (const std::string& file : names_in(folder)) {
             for (const nc::ProgramPattern& pattern : tables.language.calls.files) {
                 if (auto name =
-                        nc::match_program(pattern, entry.name, tables.notation.ignores_case, true))
+                        nc::match_program(pattern, file, tables.notation.ignores_case, true))
                     found.insert(std::move(*name));
             }
         }

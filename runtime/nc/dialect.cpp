@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "base/xml.h"
+#include "nc/dialect_search.h"
 #include "nc/inspect.h"
 #include "nc/load.h"
 #include "nc/refusals.h"
@@ -163,23 +164,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_file_name(const std::string& name) {
-    return name.find('/') != std::string::npos || name.ends_with(".xml");
-}
-
-std::optional<std::string> find_dialect_file(const std::string& name, const SearchPath& folders,
-                                             const Files& files) {
-    if (is_file_name(name)) {
-        if (files.is_file(name)) return name;
-        return std::nullopt;
-    }
-    for (const std::string& folder : folders) {
-        std::string path = (fs::path(folder) / (name + ".xml")).string();
-        if (files.is_file(path)) return path;
-    }
-    return std::nullopt;
-}
-
 /// Names of all dialects in the folders, for proposals.
 std::vector<std::string> dialect_names(const SearchPath& folders, const Files& files) {
     std::vector<std::string> names;
@@ -261,7 +245,7 @@ class ChainLoader {
             root = sound_part(*root, dialect_shape());
         }
         const XmlAttribute* base = root->find("extends");
-        if (base != nullptr && !load(parent_name(*base, path), base->value_range, tables)) {
+        if (base != nullptr && !load(extended_name(*base, path), base->value_range, tables)) {
             return kFailed;
         }
         tables.extends = base == nullptr ? "" : base->value;
@@ -272,12 +256,6 @@ class ChainLoader {
         if (!apply_dialect(*root, tables, kind_, sources_.files(), sink_)) has_mistakes_ = true;
         root_ = std::move(*root);
         return kDone;
-    }
-
-    /// A file that is extended by its path lies where the one that extends it does.
-    static std::string parent_name(const XmlAttribute& base, const std::string& path) {
-        if (!is_file_name(base.value)) return base.value;
-        return (fs::path(path).parent_path() / base.value).string();
     }
 
     const MachineKind kind_;
@@ -294,12 +272,7 @@ InspectedDialect inspect(MachineKind kind, const std::string& name_or_file,
                          const SearchPath& folders, Sources& sources, DiagnosticSink& sink) {
     auto tables = std::make_unique<DialectTables>();
     tables->letters.fill(kNoAddress);
-    SearchPath with_own = folders;
-    if (is_file_name(name_or_file)) {
-        // What a file extends may lie beside it.
-        const fs::path folder = fs::path(name_or_file).parent_path();
-        with_own.insert(with_own.begin(), folder.empty() ? "." : folder.string());
-    }
+    const SearchPath with_own = search_path_of(name_or_file, folders);
     ChainLoader chain(kind, with_own, sources, sink);
     if (!chain.load(name_or_file, {}, *tables)) return {};
     const Done finished = finish_tables(*tables, sink);
