@@ -313,19 +313,11 @@ bool is_of_lathe(const nc::Dialect& dialect) {
     return dialect.name().find("lathe") != std::string_view::npos;
 }
 
-/// In which the library's cycles are checked, and which knows what may be read.
-driver::Session& session() {
-    static Sources sources = test::inputs().new_sources();
-    static driver::Messages messages(sources, {}, [](std::string_view) {});
-    static driver::Session session({}, test::inputs(), sources, messages);
-    return session;
-}
-
 /// Runs the library's cycles for the cycles of a control.
 CycleExpander* cycles_of(const nc::Dialect& dialect) {
     static std::map<const nc::Dialect*, std::unique_ptr<driver::LibraryCycles>> all;
     std::unique_ptr<driver::LibraryCycles>& cycles = all[&dialect];
-    if (!cycles) cycles = std::make_unique<driver::LibraryCycles>(session(), dialect);
+    if (!cycles) cycles = std::make_unique<driver::LibraryCycles>(test::quiet_session(), dialect);
     return cycles.get();
 }
 
@@ -342,8 +334,7 @@ Outcome run_program(const nc::Dialect& dialect, const std::string& text, const E
     options.passes = expected.passes;
     options.max_turns = 20'000;
     options.max_repeated = 5'000;
-    session().access().allow(called.string());
-    driver::ProgramFolders files({called.string()}, session());
+    driver::ProgramFolders files({called.string()}, test::quiet_session(called.string()));
     options.files = &files;
     Outcome outcome;
     KeptLines printer(outcome.printed);

@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "base/diagnostics/control.h"
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/program_files.h"
 #include "macro/reference_queries.h"
 #include "nc/tables.h"
+#include "tests/common/inputs.h"
 
 namespace kadr::interp {
 namespace {
@@ -44,7 +46,9 @@ class HeldText final : public nc::TextSource {
 class Texts {
   public:
     Texts(const nc::Dialect& dialect, const std::string& text, const std::filesystem::path& called)
-        : dialect_(dialect), main_(text), files_({called.string()}) {}
+        : dialect_(dialect),
+          main_(text),
+          files_({called.string()}, test::quiet_session(called.string())) {}
 
     const References& of(const std::string& file) {
         const auto [known, is_new] = references_.emplace(file, References());

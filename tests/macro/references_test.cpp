@@ -12,10 +12,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/program_files.h"
 #include "macro/reference_queries.h"
 #include "macro/target_index.h"
+#include "tests/common/inputs.h"
 
 namespace kadr::macro::references_test {
 namespace {
@@ -211,7 +213,8 @@ TEST_P(TextReferences, Answer) {
     // Pieces end anywhere, and lines go over from one to the next.
     for (const std::size_t piece : {~std::size_t{0}, std::size_t{37}}) {
         HeldText text(read_file(file.string()).value(), piece);
-        driver::ProgramFolders files({(file.parent_path() / "called").string()});
+        const std::string called = (file.parent_path() / "called").string();
+        driver::ProgramFolders files({called}, test::quiet_session(called));
         ReferenceOptions options;
         options.files = &files;
         const References references = find_references(dialect, text, file.string(), options);
