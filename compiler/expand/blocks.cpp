@@ -1,4 +1,6 @@
 // blocks.cpp — blocks: plans filled with values; texts.
+#include "expand/blocks.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +11,19 @@
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/iso.h"
 #include "base/readable.h"
+#include "expand/contours.h"
+#include "expand/cuts.h"
+#include "expand/cycles.h"
+#include "expand/faults.h"
 #include "expand/feed_words.h"
+#include "expand/frame_blocks.h"
+#include "expand/input.h"
 #include "expand/numbers.h"
-#include "expand/state.h"
+#include "expand/orienting.h"
+#include "expand/running.h"
+#include "expand/text_format.h"
+#include "expand/tilted_planes.h"
+#include "expand/unknown.h"
 #include "nc/frame_words.h"
 #include "nc/tables.h"
 #include "syntax/ast.h"
@@ -25,134 +37,148 @@ using sema::Filling;
 
 namespace {
 
+Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                const Slot* registers, std::uint32_t at);
+Done fill(Running& run, nc::Block& block, const sema::Filling& filling, Slot value,
+          std::uint32_t at);
+Done fill_speed(Running& run, nc::Block& block, const sema::Filling& filling, double value,
+                std::uint32_t at);
+
 constexpr double kMmPerMeter = 1000;
 constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
 constexpr std::uint32_t kOfCycles = sema::custom::kCyclePosition | sema::custom::kPlaces;
 
 }  // namespace
 
-/// The instruction that made the value of a word; its location is the word, not the whole block.
-std::uint32_t Expander::State::word_of(const Filling& filling, std::uint32_t at) const {
-    const Instruction& emit = code.instructions[at];
+std::uint32_t word_of(const Running& run, const Filling& filling, std::uint32_t at) {
+    const Instruction& emit = run.code.instructions[at];
     if (emit.op != OpCode::Emit) return at;  // a feed of `follow`
-    const sema::Plan& plan = code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
+    const sema::Plan& plan = run.code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
     const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
-    const SourceRange block = code.locations[at];
+    const SourceRange block = run.code.locations[at];
     for (std::uint32_t i = at; i-- > 0;) {
-        const SourceRange location = code.locations[i];
+        const SourceRange location = run.code.locations[i];
         const bool is_inside = location.file == block.file && location.begin >= block.begin &&
                                location.end <= block.end;
         if (!is_inside) break;
-        if (code.instructions[i].a == value) return i;
+        if (run.code.instructions[i].a == value) return i;
     }
     return at;
 }
 
-Done Expander::State::require_room(std::uint32_t at) {
-    if (is_in_curve) [[unlikely]] {
-        fault(diag::CurveBlock, at);
+Done require_room(Running& run, std::uint32_t at) {
+    if (run.curve.is_in_point) [[unlikely]] {
+        fault(run, diag::CurveBlock, at);
         return kFailed;
     }
-    if (blocks_left > 0) {
-        --blocks_left;
+    if (run.budget.take_block()) [[likely]]
         return kDone;
-    }
-    fault(diag::BlockLimit, at)
-        .arg(static_cast<std::int64_t>(options.limits.blocks))
+    fault(run, diag::BlockLimit, at)
+        .arg(static_cast<std::int64_t>(run.options.limits.blocks))
         .fix("if it is to make more, raise the limit: `--max-blocks " +
-             std::to_string(10 * options.limits.blocks) + '`');
+             std::to_string(10 * run.options.limits.blocks) + '`');
     return kFailed;
 }
 
-Block& Expander::State::next_block(SourceId source) {
+Block& next_block(Running& run, SourceId source) {
     Block* block = nullptr;
-    if (!recordings.empty()) [[unlikely]] {
-        block = &kept_block;
-    } else if (batch_count < batch_size && waiting.empty()) {
-        block = &batch[batch_count++];
-    } else {
-        waiting.emplace_back();
-        block = &waiting.back();
-    }
+    if (run.recordings.is_open()) [[unlikely]]
+        block = &run.recordings.block();
+    else block = &run.batch.add();
     block->reset();
     block->source = source;
     return *block;
 }
 
-void Expander::State::drop_block(const Block& block) {
-    if (&block == &kept_block) return;
-    if (!waiting.empty()) waiting.pop_back();
-    else --batch_count;
+void drop_block(Running& run, const Block& block) {
+    if (!run.recordings.is_kept(block)) run.batch.drop_last();
 }
 
-Done Expander::State::emit(const Instruction& instruction, const sema::Slot* registers,
-                           std::uint32_t at) {
-    const sema::Plan& plan = code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
-    if (!recordings.empty()) [[unlikely]] {
-        if (!require_room(at)) return kFailed;
-        return keep_plan(plan, instruction, registers, at);
+void keep_trace(Running& run, std::uint32_t at, unsigned depth, SourceId source) {
+    if (run.recordings.is_open()) return;  // a block of a contour is none of the output
+    BlockOrigin trace;
+    trace.statement = source.is_valid() && source.index < run.code.statements.size()
+                          ? run.code.statements[source.index]
+                          : run.code.locations[at];
+    for (std::size_t i = 1; i < run.vm.calls.size(); ++i) {
+        if (run.vm.calls[i].return_to == 0) continue;
+        trace.calls.push_back({run.code.locations[run.vm.calls[i].return_to - 1],
+                               run.vm.calls[i].function->name, run.vm.calls[i].loops});
     }
-    if (plan.planes != nc::kAllPlanes && !require_plane_of_source(plan, at)) [[unlikely]]
+    const std::size_t loops = run.vm.calls.back().loops + depth;
+    trace.loop_counts.assign(run.vm.loop_counts.begin(),
+                             run.vm.loop_counts.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                              loops, run.vm.loop_counts.size())));
+    run.batch.add_origin(std::move(trace));
+}
+
+Done emit(Running& run, const Instruction& instruction, const sema::Slot* registers,
+          std::uint32_t at) {
+    const sema::Plan& plan =
+        run.code.plans[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    if (run.recordings.is_open()) [[unlikely]] {
+        if (!require_room(run, at)) return kFailed;
+        return keep_plan(run, plan, instruction, registers, at);
+    }
+    if (plan.planes != nc::kAllPlanes && !require_plane_of_source(run, plan, at)) [[unlikely]]
         return kFailed;
-    if (is_between_positions() && !require_between_positions(plan, instruction, at)) [[unlikely]]
+    if (is_between_positions(run) && !require_between_positions(run, plan, instruction, at))
+        [[unlikely]]
         return kFailed;
-    if (!plan.functions.empty() || modal.tcp != ModalState::Tcp::Off) {
-        const ToolTaken said = take_tool(plan, instruction, at);
+    if (!plan.functions.empty() || run.modal.tcp != ModalState::Tcp::Off) {
+        const ToolTaken said = take_tool(run, plan, instruction, at);
         if (said != ToolTaken::Nothing) return Done(said == ToolTaken::Done);
     }
-    if (!plan.functions.empty() && is_about_tilted_plane(plan)) [[unlikely]]
-        return emit_tilted_plane(plan, instruction, registers, at);
-    if (!plan.functions.empty() && needs_frame(plan)) [[unlikely]]
-        return emit_frame(plan, instruction, registers, at);
-    return emit_block(plan, instruction, registers, at);
+    if (!plan.functions.empty() && is_about_tilted_plane(run, plan)) [[unlikely]]
+        return emit_tilted_plane(run, plan, instruction, registers, at);
+    if (!plan.functions.empty() && needs_frame(run, plan)) [[unlikely]]
+        return emit_frame(run, plan, instruction, registers, at);
+    return emit_block(run, plan, instruction, registers, at);
 }
 
-Done Expander::State::emit_block(const sema::Plan& plan, const Instruction& instruction,
-                                 const sema::Slot* registers, std::uint32_t at) {
-    if (!require_room(at)) return kFailed;
-    if (modal.due_offset != 0) [[unlikely]]
-        say_offset(plan, instruction, at);
-    if (modal.diameter_due != Function::None && plan.skip_level >= 0) [[unlikely]] {
+Done emit_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                const sema::Slot* registers, std::uint32_t at) {
+    if (!require_room(run, at)) return kFailed;
+    if (run.modal.due_offset != 0) [[unlikely]]
+        say_offset(run, plan, instruction, at);
+    if (run.modal.diameter_due != Function::None && plan.skip_level >= 0) [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-        say_diameter_alone(source, at, instruction.c);
+        say_diameter_alone(run, source, at, instruction.c);
     }
-    if (modal.is_position_due) [[unlikely]]
-        write_position(plan, instruction, at);
-    if (modal.unplaced != 0 && instruction.b == 0 && is_whole_circle(plan)) [[unlikely]] {
+    if (run.modal.is_position_due) [[unlikely]]
+        write_position(run, plan, instruction, at);
+    if (run.modal.unplaced != 0 && instruction.b == 0 && is_whole_circle(run, plan)) [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-        if (!write_positions(source, at, instruction.c)) return kFailed;
+        if (!write_positions(run, source, at, instruction.c)) return kFailed;
     }
-    const std::size_t in_batch = batch_count;
-    if (fill_plan(plan, instruction, registers, at)) {
-        if (plan.customs == 0) [[likely]]
-            return kDone;
-        if ((plan.customs & sema::custom::kReference) != 0)
-            go_over_position(
-                SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
-        const Block& block = batch_count > in_batch ? batch[batch_count - 1] : waiting.back();
-        const bool is_empty =
-            block.function_count == 0 && block.given == 0 && block.motion == Function::None;
-        if (!is_empty) return kDone;
-        // All that it programmed the target does by itself.
-        if (batch_count > in_batch) --batch_count;
-        else waiting.pop_back();
-        if (options.trace) traces.pop_back();
+    if (!fill_plan(run, plan, instruction, registers, at)) {
+        run.batch.drop_last();  // a block that could not be finished is not delivered
+        return kFailed;
+    }
+    if (plan.customs == 0) [[likely]]
         return kDone;
-    }
-    // A block that could not be finished is not delivered.
-    if (batch_count > in_batch) batch_count = in_batch;
-    else waiting.pop_back();
-    return kFailed;
+    if ((plan.customs & sema::custom::kReference) != 0)
+        go_over_position(run,
+                         SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
+    const Block& block = run.batch.last();
+    const bool is_empty =
+        block.function_count == 0 && block.given == 0 && block.motion == Function::None;
+    if (!is_empty) return kDone;
+    // All that it programmed the target does by itself.
+    run.batch.drop_last();
+    if (run.options.trace) run.batch.drop_origin();
+    return kDone;
 }
 
-Done Expander::State::fill_plan(const sema::Plan& plan, const Instruction& instruction,
-                                const sema::Slot* registers, std::uint32_t at) {
+Done fill_plan(Running& run, const sema::Plan& plan, const Instruction& instruction,
+               const sema::Slot* registers, std::uint32_t at) {
     if (plan.skip_level < 0) [[likely]]
-        return fill_block(plan, instruction, registers, at);
+        return fill_block(run, plan, instruction, registers, at);
     // Nobody knows here whether the operator lets the block run.
-    const ModalState without = modal;
-    if (!fill_block(plan, instruction, registers, at)) return kFailed;
-    modal.join(without, SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
+    const ModalState without = run.modal;
+    if (!fill_block(run, plan, instruction, registers, at)) return kFailed;
+    run.modal.join(without,
+                   SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
     return kDone;
 }
 
@@ -185,59 +211,63 @@ static inline void copy_constants(const sema::Plan& plan, int default_skip, Bloc
     for (const auto& [place, value] : plan.values) block.values[place] = value;
 }
 
-Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& instruction,
-                                 const sema::Slot* registers, std::uint32_t at) {
+namespace {
+
+Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    Block& block = next_block(source);
+    Block& block = next_block(run, source);
     if ((plan.customs & kOfCycles) != 0) [[unlikely]]
-        active_cycle.motion = modal[Group::Motion];
-    copy_constants(plan, target.tables().notation.default_skip, block);
+        run.cycle.begin_block(run.modal[Group::Motion]);
+    copy_constants(plan, run.target.tables().notation.default_skip, block);
     // Values of functions before those of F and S: the feed mode decides what F means.
     const sema::Slot* values = registers + instruction.a;
-    if (modal.has_ended && recordings.empty()) [[unlikely]]
-        warn_after_end(at);
+    if (run.modal.has_ended && !run.recordings.is_open()) [[unlikely]]
+        warn_after_end(run, at);
     bool owes_behind = false;
     if (block.function_count == 0 && block.motion != Function::None) {  // nearly all of them
-        if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
+        if (plan.customs != 0 && !adapt(run, block, plan, at)) [[unlikely]]
             return kFailed;
-        owes_behind = modal.take_functions(block, target.rules());
+        owes_behind = run.modal.take_functions(block, run.target.rules());
         const bool is_thread = block.motion == Function::Thread;
-        if (is_thread && modal[Group::Diameter] == Function::None && options.warns_of_cuts)
-            warn_of_radius(block, at);
+        if (is_thread && run.modal[Group::Diameter] == Function::None && run.options.warns_of_cuts)
+            warn_of_radius(run, block, at);
     } else if (block.function_count != 0) {
         for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
-            if (plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
+            if (plan.fillings[i].is_argument && !fill(run, block, plan.fillings[i], values[i], at))
                 return kFailed;
         }
-        if (plan.customs != 0 && !adapt(block, plan, at)) [[unlikely]]
+        if (plan.customs != 0 && !adapt(run, block, plan, at)) [[unlikely]]
             return kFailed;
-        if (!check_mirror(block, plan, at) || !settle_frame(block, at)) return kFailed;
-        if (options.warns_of_cuts) warn_of_plane(block, at);
-        const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
-        owes_behind = modal.take_functions(block, target.rules());
-        if (modal.frame_fault != control::FrameFormFault::None && is_frame_of_language(plan))
-            return refuse_frame(modal.frame_fault, at);
+        if (!check_mirror(run, block, plan, at) || !settle_frame(run, block, at)) return kFailed;
+        if (run.options.warns_of_cuts) warn_of_plane(run, block, at);
+        const Function motion =
+            plan.motion != Function::None ? plan.motion : run.modal[Group::Motion];
+        owes_behind = run.modal.take_functions(block, run.target.rules());
+        if (run.modal.frame_fault != control::FrameFormFault::None && is_frame_of_language(plan))
+            return refuse_frame(run, run.modal.frame_fault, at);
         const bool has_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
-        if (target.rules().machine_coordinates_rapid && !has_rapid && motion != Function::Rapid &&
-            block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
-            fault(diag::MachineAtFeed, at)
-                .arg(target.name())
+        if (run.target.rules().machine_coordinates_rapid && !has_rapid &&
+            motion != Function::Rapid && block.find(Function::MachineCoordinates) != nullptr)
+            [[unlikely]] {
+            fault(run, diag::MachineAtFeed, at)
+                .arg(run.target.name())
                 .arg(nc::info(motion).name)
                 .fix("write `G0` in the block");
             return kFailed;
         }
-        if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
-        if (modal[Group::Diameter] == Function::None && options.warns_of_cuts)
-            warn_of_radius(block, at);
+        if (run.target.rules().shift_in_diameter) scale_frame_x(run, block, 2);
+        if (run.modal[Group::Diameter] == Function::None && run.options.warns_of_cuts)
+            warn_of_radius(run, block, at);
         if (has_rapid && motion != Function::Rapid) {
-            modal.assume(Group::Motion, motion);
-            modal.restate_motion = true;
+            run.modal.assume(Group::Motion, motion);
+            run.modal.restate_motion = true;
         }
     }
     if ((plan.customs & sema::custom::kFeedCounts) != 0 &&
-        modal[Group::FeedMode] == Function::FeedPerRevolution) [[unlikely]] {
+        run.modal[Group::FeedMode] == Function::FeedPerRevolution) [[unlikely]] {
         const auto feed = std::ranges::find(plan.fillings, Filling::Form::FeedBare, &Filling::form);
-        fault(diag::SourceNoPoint, feed == plan.fillings.end() ? at : word_of(*feed, at))
+        fault(run, diag::SourceNoPoint, feed == plan.fillings.end() ? at : word_of(run, *feed, at))
             .arg("F")
             .arg("the control of this source")
             .arg("in hundredths of mm/rev")
@@ -245,7 +275,7 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         return kFailed;
     }
     for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
-        if (!plan.fillings[i].is_argument && !fill(block, plan.fillings[i], values[i], at))
+        if (!plan.fillings[i].is_argument && !fill(run, block, plan.fillings[i], values[i], at))
             return kFailed;
     }
     if (instruction.b != 0) {
@@ -253,79 +283,82 @@ Done Expander::State::fill_block(const sema::Plan& plan, const Instruction& inst
         for (unsigned i = 0; i < 3; ++i) {
             if (point[i].number != point[i].number) continue;
             if (!is_sane(point[i].number)) {
-                math_fault(sema::MathFault::Overflow, at);
+                math_fault(run, sema::MathFault::Overflow, at);
                 return kFailed;
             }
             block.set(static_cast<nc::Slot>(i), point[i].number);
         }
         if ((block.given & kPointSlots) == 0) {
-            not_given("the target", at);
+            not_given(run, "the target", at);
             return kFailed;
         }
     }
-    if ((plan.customs & kOfCycles) != 0 && recordings.empty() && !take_position(block, plan, at))
-        [[unlikely]] {
+    if ((plan.customs & kOfCycles) != 0 && !run.recordings.is_open() &&
+        !take_position(run, block, plan, at)) [[unlikely]] {
         return kFailed;
     }
-    if (modal.restate_motion && block.motion == Function::None &&
+    if (run.modal.restate_motion && block.motion == Function::None &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0) {
-        block.motion = modal[Group::Motion];
-        modal.restate_motion = false;
+        block.motion = run.modal[Group::Motion];
+        run.modal.restate_motion = false;
     }
-    if (recordings.empty()) {
-        if ((modal.is_edge_off || modal.is_feed_deleted) && !check_move(block, at)) [[unlikely]]
+    if (!run.recordings.is_open()) {
+        if ((run.modal.is_edge_off || run.modal.is_feed_deleted) && !check_move(run, block, at))
+            [[unlikely]]
             return kFailed;
-        const bool owes_incremental = modal.owes_incremental;
-        if ((modal.adapts() & block.given) != 0 && !adapt_increments(block, plan, at)) [[unlikely]]
+        const bool owes_incremental = run.modal.owes_incremental;
+        if ((run.modal.adapts() & block.given) != 0 && !adapt_increments(run, block, plan, at))
+            [[unlikely]]
             return kFailed;
         if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
-            return_to_increments(block);
+            return_to_increments(run, block);
     }
     if (block.function_count != 0 &&
-        !(check_cutting_speed(block, at) && check_tool_change(block, at)))
+        !(check_cutting_speed(run, block, at) && check_tool_change(run, block, at)))
         return kFailed;
-    if (modal.comp_choice != ModalState::kNoChoice && recordings.empty() &&
-        !require_sure_compensation(block, at)) [[unlikely]]
+    if (run.modal.comp_choice != ModalState::kNoChoice && !run.recordings.is_open() &&
+        !require_sure_compensation(run, block, at)) [[unlikely]]
         return kFailed;
-    if (modal.is_compensation_due() && !check_pitch(block, at)) [[unlikely]]
+    if (run.modal.is_compensation_due() && !check_pitch(run, block, at)) [[unlikely]]
         return kFailed;
-    if ((plan.customs & sema::custom::kReference) != 0) say_reference(block);
-    if (modal.is_stretched && nc::is_arc(modal[Group::Motion]) &&
+    if ((plan.customs & sema::custom::kReference) != 0) say_reference(run, block);
+    if (run.modal.is_stretched && nc::is_arc(run.modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
-        modal.frame.is_stretched(modal[Group::Plane])) {
-        fault(diag::ArcUnderScale, at);
+        run.modal.frame.is_stretched(run.modal[Group::Plane])) {
+        fault(run, diag::ArcUnderScale, at);
         return kFailed;
     }
-    if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, at)) [[unlikely]]
+    if ((run.modal.lost | run.modal.restate) != 0 && !settle_unknown(run, block, at)) [[unlikely]]
         return kFailed;
-    if (nc::is_arc(modal[Group::Motion]) && recordings.empty() && !require_radius(block, at))
+    if (nc::is_arc(run.modal[Group::Motion]) && !run.recordings.is_open() &&
+        !require_radius(run, block, at))
         return kFailed;
-    if (modal.tcp != ModalState::Tcp::Off && !check_leading(block, at)) return kFailed;
-    if (modal.diameter_due != Function::None && recordings.empty()) [[unlikely]]
-        say_diameter(block);
-    if (options.warns_of_cuts && !modal.reported.has_reported(ProgramNotice::Rapid) &&
-        recordings.empty())
-        check_rapid(block, at);
-    modal.take_words(block);
+    if (run.modal.tcp != ModalState::Tcp::Off && !check_leading(run, block, at)) return kFailed;
+    if (run.modal.diameter_due != Function::None && !run.recordings.is_open()) [[unlikely]]
+        say_diameter(run, block);
+    if (run.options.warns_of_cuts && !run.modal.reported.has_reported(ProgramNotice::Rapid) &&
+        !run.recordings.is_open())
+        check_rapid(run, block, at);
+    run.modal.take_words(block);
     if (owes_behind) [[unlikely]]
-        modal.take_behind(block, target.rules());
-    if (recordings.empty() && is_cut_doubtful() && !check_cut(block, at)) [[unlikely]]
+        run.modal.take_behind(block, run.target.rules());
+    if (!run.recordings.is_open() && is_cut_doubtful(run) && !check_cut(run, block, at))
+        [[unlikely]]
         return kFailed;
-    if (options.trace) keep_trace(at, instruction.c, source);
+    if (run.options.trace) keep_trace(run, at, instruction.c, source);
     return kDone;
 }
 
-Done Expander::State::fill(Block& block, const Filling& filling, sema::Slot value,
-                           std::uint32_t at) {
+Done fill(Running& run, Block& block, const Filling& filling, sema::Slot value, std::uint32_t at) {
     double number = value.number;
     switch (filling.form) {
         case Filling::Form::Text:
-            block.text = heap.text(value.integer);
+            block.text = run.vm.heap.text(value.integer);
             block.functions[filling.invocation].given |= 1u << filling.parameter;
             return kDone;
         case Filling::Form::Count:
             if (value.integer == sema::kNotGivenInteger) {
-                not_given({}, word_of(filling, at));
+                not_given(run, {}, word_of(run, filling, at));
                 return kFailed;
             }
             number = static_cast<double>(value.integer);
@@ -334,19 +367,19 @@ Done Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
         case Filling::Form::Feed:
         case Filling::Form::FeedPerTime:
         case Filling::Form::FeedPerTurn:
-        case Filling::Form::FeedInverse: return fill_feed(block, filling, number, at);
+        case Filling::Form::FeedInverse: return fill_feed(run, block, filling, number, at);
         case Filling::Form::SpeedBare:
         case Filling::Form::Speed:
         case Filling::Form::SpeedPerTime:
-        case Filling::Form::SpeedCutting: return fill_speed(block, filling, number, at);
+        case Filling::Form::SpeedCutting: return fill_speed(run, block, filling, number, at);
         case Filling::Form::Diameter:
-            if (!modal.is_diameter) number /= 2;
+            if (!run.modal.is_diameter) number /= 2;
             break;
         case Filling::Form::Plain: break;
     }
     if (!is_sane(number)) {
-        if (number != number) not_given({}, word_of(filling, at));
-        else math_fault(sema::MathFault::Overflow, at);
+        if (number != number) not_given(run, {}, word_of(run, filling, at));
+        else math_fault(run, sema::MathFault::Overflow, at);
         return kFailed;
     }
     if (filling.is_argument) {
@@ -358,15 +391,16 @@ Done Expander::State::fill(Block& block, const Filling& filling, sema::Slot valu
     return kDone;
 }
 
-Done Expander::State::fill_feed(Block& block, const Filling& filling, double value,
-                                std::uint32_t at) {
+}  // namespace
+
+Done fill_feed(Running& run, Block& block, const Filling& filling, double value, std::uint32_t at) {
     if (value != value) {
-        not_given("F", word_of(filling, at));
+        not_given(run, "F", word_of(run, filling, at));
         return kFailed;
     }
-    if (modal.lost != 0 && !require_feed_mode(word_of(filling, at))) [[unlikely]]
+    if (run.modal.lost != 0 && !require_feed_mode(run, word_of(run, filling, at))) [[unlikely]]
         return kFailed;
-    const Function mode = modal[Group::FeedMode];
+    const Function mode = run.modal[Group::FeedMode];
     Filling::Form form = filling.form;
     if (form == Filling::Form::Feed) {
         const bool second = sema::is_second_form(value);
@@ -389,40 +423,42 @@ Done Expander::State::fill_feed(Block& block, const Filling& filling, double val
             break;
     }
     if (needed != mode) {
-        DiagnosticBuilder builder = fault(diag::FeedMode, word_of(filling, at));
+        DiagnosticBuilder builder = fault(run, diag::FeedMode, word_of(run, filling, at));
         builder.arg(feed_word(needed)).arg(feed_word(mode));
-        const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
-        if (by.is_valid() && by.index < code.statements.size())
-            builder.note(code.statements[by.index], "the feed mode was set here");
+        const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+        if (by.is_valid() && by.index < run.code.statements.size())
+            builder.note(run.code.statements[by.index], "the feed mode was set here");
         builder.fix(std::string("say `") + feed_code(needed) + "` before it, or give the feed in " +
                     feed_unit(mode));
         return kFailed;
     }
     if (!is_sane(value)) {
-        math_fault(sema::MathFault::Overflow, at);
+        math_fault(run, sema::MathFault::Overflow, at);
         return kFailed;
     }
     if (!(value > 0)) {
         const std::string feed = mode == Function::FeedInverseTime ? readable(value)
                                  : mode == Function::FeedPerRevolution
-                                     ? quantity_text(value, sema::kFeedPerTurn)
-                                     : quantity_text(value / kMinute, sema::kFeedPerTime);
-        fault(diag::FeedZero, word_of(filling, at)).arg(feed);
+                                     ? quantity_text(run, value, sema::kFeedPerTurn)
+                                     : quantity_text(run, value / kMinute, sema::kFeedPerTime);
+        fault(run, diag::FeedZero, word_of(run, filling, at)).arg(feed);
         return kFailed;
     }
     block.set(nc::Slot::Feed, neat(value));
     return kDone;
 }
 
-Done Expander::State::fill_speed(Block& block, const Filling& filling, double value,
-                                 std::uint32_t at) {
+namespace {
+
+Done fill_speed(Running& run, Block& block, const Filling& filling, double value,
+                std::uint32_t at) {
     if (value != value) {
-        not_given("S", word_of(filling, at));
+        not_given(run, "S", word_of(run, filling, at));
         return kFailed;
     }
-    if (modal.lost != 0 && !require_speed_mode(word_of(filling, at))) [[unlikely]]
+    if (run.modal.lost != 0 && !require_speed_mode(run, word_of(run, filling, at))) [[unlikely]]
         return kFailed;
-    const bool is_cutting = modal[Group::SpeedMode] == Function::CuttingSpeedOn;
+    const bool is_cutting = run.modal[Group::SpeedMode] == Function::CuttingSpeedOn;
     Filling::Form form = filling.form;
     if (form == Filling::Form::Speed) {
         const bool second = sema::is_second_form(value);
@@ -432,7 +468,7 @@ Done Expander::State::fill_speed(Block& block, const Filling& filling, double va
     if (form == Filling::Form::SpeedBare) {
         if (is_cutting) value *= filling.factor;
     } else if (is_cutting != (form == Filling::Form::SpeedCutting)) {
-        fault(diag::SpeedMode, word_of(filling, at))
+        fault(run, diag::SpeedMode, word_of(run, filling, at))
             .arg(is_cutting ? "a spindle speed" : "a cutting speed")
             .arg(is_cutting ? "on" : "off");
         return kFailed;
@@ -440,66 +476,69 @@ Done Expander::State::fill_speed(Block& block, const Filling& filling, double va
         value *= is_cutting ? kMinute / kMmPerMeter : kMinute;
     }
     if (!is_sane(value)) {
-        math_fault(sema::MathFault::Overflow, at);
+        math_fault(run, sema::MathFault::Overflow, at);
         return kFailed;
     }
     if (is_cutting && value == 0) {
-        fault(diag::CuttingSpeedZero, word_of(filling, at));
+        fault(run, diag::CuttingSpeedZero, word_of(run, filling, at));
         return kFailed;
     }
     block.set(nc::Slot::Speed, neat(value));
     return kDone;
 }
 
-double Expander::State::state_value(sema::StateValue which) const {
+}  // namespace
+
+double state_value(const Running& run, sema::StateValue which) {
     if (which == sema::StateValue::Feed) {
-        if (!modal.has_feed) return sema::kNotGivenNumber;
-        switch (modal[Group::FeedMode]) {
-            case Function::FeedPerRevolution: return modal.feed * sema::kSecondForm;
-            case Function::FeedPerMinute: return modal.feed / kMinute;
+        if (!run.modal.has_feed) return sema::kNotGivenNumber;
+        switch (run.modal[Group::FeedMode]) {
+            case Function::FeedPerRevolution: return run.modal.feed * sema::kSecondForm;
+            case Function::FeedPerMinute: return run.modal.feed / kMinute;
             default: return sema::kNotGivenNumber;
         }
     }
-    if (!modal.has_speed) return sema::kNotGivenNumber;
-    if (modal[Group::SpeedMode] == Function::CuttingSpeedOn) {
-        return modal.speed * kMmPerMeter / kMinute * sema::kSecondForm;
+    if (!run.modal.has_speed) return sema::kNotGivenNumber;
+    if (run.modal[Group::SpeedMode] == Function::CuttingSpeedOn) {
+        return run.modal.speed * kMmPerMeter / kMinute * sema::kSecondForm;
     }
-    return modal.speed / kMinute;
+    return run.modal.speed / kMinute;
 }
 
-std::int64_t Expander::State::spindle_code() const {
-    const Function spindle = modal[Group::Spindle];
+std::int64_t spindle_code(const Running& run) {
+    const Function spindle = run.modal[Group::Spindle];
     return spindle == Function::None ? sema::kNotGivenInteger : nc::code_of_spindle(spindle);
 }
 
-Done Expander::State::emit_text(const Instruction& instruction, const sema::Slot* registers,
-                                std::uint32_t at) {
-    if (!recordings.empty()) return refuse_in_contour("a text", at);
-    if (is_between_positions() && instruction.b == 1) return refuse_beside_cycle("raw text", at);
+Done emit_text(Running& run, const Instruction& instruction, const sema::Slot* registers,
+               std::uint32_t at) {
+    if (run.recordings.is_open()) return refuse_in_contour(run, "a text", at);
+    if (is_between_positions(run) && instruction.b == 1)
+        return refuse_beside_cycle(run, "raw text", at);
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     // A copy: making blocks does not move texts, but nothing should depend on that.
-    const std::string text = heap.text(registers[instruction.a].integer);
+    const std::string text = run.vm.heap.text(registers[instruction.a].integer);
     const bool is_raw = instruction.b == 1;
-    if (is_raw && modal.diameter_due != Function::None)
-        say_diameter_alone(source, at, instruction.c);
+    if (is_raw && run.modal.diameter_due != Function::None)
+        say_diameter_alone(run, source, at, instruction.c);
     std::string_view rest = text;
     do {
-        if (!require_room(at)) return kFailed;
+        if (!require_room(run, at)) return kFailed;
         const std::size_t end = std::min(rest.find('\n'), rest.size());
         std::string_view line = rest.substr(0, end);
         rest.remove_prefix(std::min(end + 1, rest.size()));
         if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-        Block& block = next_block(source);
+        Block& block = next_block(run, source);
         block.kind = is_raw ? Block::Kind::Raw : Block::Kind::Comment;
         if (is_raw) block.text = line;
         else block.comment = line;
-        if (options.trace) keep_trace(at, instruction.c, source);
+        if (run.options.trace) keep_trace(run, at, instruction.c, source);
     } while (!rest.empty());
     if (!is_raw) return kDone;
-    modal.forget(source);
+    run.modal.forget(source);
     // No word of this control tells what X is, so no text changes it.
-    if (target.tables().forms_of[static_cast<std::size_t>(Function::DiameterOff)].empty())
-        modal.lost &= ~sema::group_bit(Group::Diameter);
+    if (run.target.tables().forms_of[static_cast<std::size_t>(Function::DiameterOff)].empty())
+        run.modal.lost &= ~sema::group_bit(Group::Diameter);
     return kDone;
 }
 

@@ -1,5 +1,7 @@
 // contours.cpp — contours of a running program: blocks that are kept, questions, and the blocks
 // that `follow` makes of them.
+#include "expand/contours.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +9,17 @@
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
 #include "base/units.h"
+#include "expand/blocks.h"
+#include "expand/cuts.h"
+#include "expand/cycles.h"
+#include "expand/faults.h"
+#include "expand/input.h"
+#include "expand/orienting.h"
 #include "expand/plane.h"
-#include "expand/state.h"
+#include "expand/running.h"
+#include "expand/text_format.h"
+#include "expand/unknown.h"
+#include "expand/vm.h"
 #include "path/arc.h"
 #include "path/contour_lead.h"
 #include "path/contour_offset.h"
@@ -28,6 +39,12 @@ using sema::FollowSlot;
 using sema::Slot;
 
 namespace {
+
+std::int64_t make_contours(Running& run, const std::vector<path::Contour>& contours,
+                           const PlaneContour& like, std::uint32_t layout);
+void offset_fault(Running& run, path::OffsetFault why, double distance, std::uint32_t at);
+Done offset_all(Running& run, const Instruction& instruction, Slot* registers, std::uint32_t at);
+Done keep(Running& run, const nc::Block& block, std::uint32_t at);
 
 constexpr std::size_t at(ElementSlot slot) { return static_cast<std::size_t>(slot); }
 constexpr std::size_t at(FollowSlot slot) { return static_cast<std::size_t>(slot); }
@@ -113,9 +130,11 @@ Vec2 point_in(const Slot* slots, const Wording& wording) {
 
 // ---------------------------------------------------------------- values
 
-Expander::State::PlaneContour Expander::State::read_contour(Slot handle) {
+namespace {
+
+PlaneContour read_contour(Running& run, Slot handle) {
     PlaneContour result;
-    const Heap::ArrayView elements = heap.array(handle.integer);
+    const Heap::ArrayView elements = run.vm.heap.array(handle.integer);
     for (std::int64_t i = 0; i < elements.count; ++i) {
         const Slot* slots = elements.slots + i * elements.stride;
         if (i == 0) {
@@ -137,31 +156,34 @@ Expander::State::PlaneContour Expander::State::read_contour(Slot handle) {
     return result;
 }
 
-std::int64_t Expander::State::make_contour(const PlaneContour& contour, std::uint32_t layout) {
-    const std::int64_t array = heap.new_array(layout);
+}  // namespace
+
+std::int64_t make_contour(Running& run, const PlaneContour& contour, std::uint32_t layout) {
+    const std::int64_t array = run.vm.heap.new_array(layout);
     std::array<Slot, sema::kElementSlots> slots{};
     for (const Element& element : contour.elements) {
         put_element(slots.data(), wording_of(contour), element);
-        heap.append(array, slots.data());
+        run.vm.heap.append(array, slots.data());
     }
     return array;
 }
 
-Done Expander::State::contour_value(const Instruction& instruction, Slot* registers,
-                                    std::uint32_t where) {
+Done contour_value(Running& run, const Instruction& instruction, Slot* registers,
+                   std::uint32_t where) {
     const auto function = static_cast<ContourFunction>(instruction.immediate.pair.first);
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
     Slot& result = registers[instruction.a];
     const Slot* arguments = registers + instruction.b;
-    if (function == ContourFunction::OffsetAll) return offset_all(instruction, registers, where);
+    if (function == ContourFunction::OffsetAll)
+        return offset_all(run, instruction, registers, where);
     const Slot handle = function == ContourFunction::IsInside ? arguments[3] : arguments[0];
-    PlaneContour contour = read_contour(handle);
+    PlaneContour contour = read_contour(run, handle);
     const Wording wording = wording_of(contour);
     const PlaneIndices axes = wording.axes();
     const auto point_argument = [&](const Slot* slots) -> std::optional<Vec2> {
         for (const std::size_t i : {axes.first, axes.second}) {
             if (is_given(slots[i])) continue;
-            not_given("the coordinate " + std::string(kAxisNames[i]) + " of the point", where);
+            not_given(run, "the coordinate " + std::string(kAxisNames[i]) + " of the point", where);
             return std::nullopt;
         }
         return point_in(slots, wording);
@@ -174,28 +196,28 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
         return wording.point(words);
     };
     const auto put_points = [&](const std::vector<Vec2>& points) {
-        const std::int64_t list = heap.new_array(layout);
+        const std::int64_t list = run.vm.heap.new_array(layout);
         for (const Vec2& point : points) {
             std::array<Slot, 3> slots{};
             put_point(slots.data(), wording, point);
-            heap.append(list, slots.data());
+            run.vm.heap.append(list, slots.data());
         }
         result.integer = list;
         return kDone;
     };
     const auto needs_elements = [&] {
         if (!contour.elements.empty()) return kDone;
-        fault(diag::ContourEmpty, where);
+        fault(run, diag::ContourEmpty, where);
         return kFailed;
     };
     const auto needs_closed = [&](std::string_view what) {
         if (path::is_closed(contour.elements)) return kDone;
-        fault(diag::ContourOpen, where).arg(what);
+        fault(run, diag::ContourOpen, where).arg(what);
         return kFailed;
     };
     const auto put_made = [&](Contour elements) {
         contour.elements = std::move(elements);
-        result.integer = make_contour(contour, layout);
+        result.integer = make_contour(run, contour, layout);
         return kDone;
     };
     switch (function) {
@@ -230,13 +252,13 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
         case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
         case ContourFunction::Offset: {
             const double distance = arguments[1].number;
-            const auto pieces =
-                path::offset(contour.elements, distance, [this] { return look_for_end(); });
+            const auto pieces = path::offset(contour.elements, distance,
+                                             [&run] { return run.budget.look_for_end(); });
             if (!pieces) {
-                offset_fault(pieces.error(), distance, where);
+                offset_fault(run, pieces.error(), distance, where);
                 return kFailed;
             }
-            result.integer = make_contours(*pieces, contour, layout);
+            result.integer = make_contours(run, *pieces, contour, layout);
             return kDone;
         }
         case ContourFunction::Shift:
@@ -272,11 +294,11 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
         }
         case ContourFunction::OffsetAll: return kFailed;  // above
         case ContourFunction::Intersections: {
-            const PlaneContour other = read_contour(arguments[1]);
+            const PlaneContour other = read_contour(run, arguments[1]);
             const bool both = !contour.elements.empty() && !other.elements.empty();
             if (both &&
                 (contour.plane != other.plane || contour.is_diameter != other.is_diameter)) {
-                fault(diag::ContourPlane, where)
+                fault(run, diag::ContourPlane, where)
                     .arg("a contour")
                     .arg(axes_text(wording))
                     .arg("another one")
@@ -289,7 +311,7 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
             const Slot* words = arguments + 1;
             const bool is_first = is_given(words[axes.first]);
             if (is_first == is_given(words[axes.second]) || is_given(words[axes.across])) {
-                fault(diag::CrossingLine, where).arg(axes_text(wording));
+                fault(run, diag::CrossingLine, where).arg(axes_text(wording));
                 return kFailed;
             }
             const Vec2 value = vector_argument(words);
@@ -300,39 +322,41 @@ Done Expander::State::contour_value(const Instruction& instruction, Slot* regist
     return kDone;
 }
 
-std::int64_t Expander::State::make_contours(const std::vector<Contour>& contours,
-                                            const PlaneContour& like, std::uint32_t layout) {
-    const std::int64_t list = heap.new_array(layout);
-    const std::uint32_t inner = code.layouts[layout].nested[0];
+namespace {
+
+std::int64_t make_contours(Running& run, const std::vector<Contour>& contours,
+                           const PlaneContour& like, std::uint32_t layout) {
+    const std::int64_t list = run.vm.heap.new_array(layout);
+    const std::uint32_t inner = run.code.layouts[layout].nested[0];
     for (const Contour& contour : contours) {
         Slot slot{};
-        slot.integer = make_contour({contour, like.plane, like.is_diameter}, inner);
-        heap.append(list, &slot);
+        slot.integer = make_contour(run, {contour, like.plane, like.is_diameter}, inner);
+        run.vm.heap.append(list, &slot);
     }
     return list;
 }
 
-void Expander::State::offset_fault(path::OffsetFault why, double distance, std::uint32_t at) {
-    if (why == path::OffsetFault::Stopped) return report_end(at);
-    fault(diag::OffsetUnresolved, at).arg(quantity_text(distance, sema::kLength));
+void offset_fault(Running& run, path::OffsetFault why, double distance, std::uint32_t at) {
+    if (why == path::OffsetFault::Stopped) return report_end(run, at);
+    fault(run, diag::OffsetUnresolved, at).arg(quantity_text(run, distance, sema::kLength));
 }
 
 /// Beside several contours together.
-Done Expander::State::offset_all(const Instruction& instruction, Slot* registers,
-                                 std::uint32_t where) {
+Done offset_all(Running& run, const Instruction& instruction, Slot* registers,
+                std::uint32_t where) {
     const Slot* arguments = registers + instruction.b;
     std::vector<Contour> contours;
     PlaneContour like;
-    const std::int64_t count = heap.array(arguments[0].integer).count;
+    const std::int64_t count = run.vm.heap.array(arguments[0].integer).count;
     for (std::int64_t i = 0; i < count; ++i) {
-        PlaneContour one = read_contour(heap.array(arguments[0].integer).slots[i]);
+        PlaneContour one = read_contour(run, run.vm.heap.array(arguments[0].integer).slots[i]);
         if (one.elements.empty()) continue;
         if (!path::is_closed(one.elements)) {
-            fault(diag::ContourOpen, where).arg("the offset of several contours, one");
+            fault(run, diag::ContourOpen, where).arg("the offset of several contours, one");
             return kFailed;
         }
         if (!contours.empty() && (one.plane != like.plane || one.is_diameter != like.is_diameter)) {
-            fault(diag::ContourPlane, where)
+            fault(run, diag::ContourPlane, where)
                 .arg("a contour")
                 .arg(axes_text(wording_of(like)))
                 .arg("another one")
@@ -344,43 +368,43 @@ Done Expander::State::offset_all(const Instruction& instruction, Slot* registers
         like.is_diameter = one.is_diameter;
     }
     const double distance = arguments[1].number;
-    const auto pieces = path::offset(contours, distance, [this] { return look_for_end(); });
+    const auto pieces =
+        path::offset(contours, distance, [&run] { return run.budget.look_for_end(); });
     if (!pieces) {
-        offset_fault(pieces.error(), distance, where);
+        offset_fault(run, pieces.error(), distance, where);
         return kFailed;
     }
     const auto layout = static_cast<std::uint32_t>(instruction.immediate.pair.second);
-    registers[instruction.a].integer = make_contours(*pieces, like, layout);
+    registers[instruction.a].integer = make_contours(run, *pieces, like, layout);
     return kDone;
 }
 
+}  // namespace
+
 // ---------------------------------------------------------------- blocks that are kept
 
-void Expander::State::begin_contour() {
-    Recording recording;
-    recording.before = modal;
-    recordings.push_back(std::move(recording));
+void begin_contour(Running& run) {
+    run.recordings.begin(run.modal);
     // A contour is the same wherever it is made: in coordinates, cut, from a point of its own.
-    modal.known = 0;
-    modal.restate_motion = false;
-    modal.assume(Group::Motion, Function::Line);
-    modal.assume(Group::Distance, Function::Absolute);
-    modal.lost &= ~(sema::group_bit(Group::Motion) | sema::group_bit(Group::Distance));
+    run.modal.known = 0;
+    run.modal.restate_motion = false;
+    run.modal.assume(Group::Motion, Function::Line);
+    run.modal.assume(Group::Distance, Function::Absolute);
+    run.modal.lost &= ~(sema::group_bit(Group::Motion) | sema::group_bit(Group::Distance));
 }
 
-std::int64_t Expander::State::end_contour(std::uint32_t layout) {
-    const Recording recording = std::move(recordings.back());
-    recordings.pop_back();
-    modal = recording.before;
-    return make_contour({recording.elements, recording.plane, recording.is_diameter}, layout);
+std::int64_t end_contour(Running& run, std::uint32_t layout) {
+    const ContourRecording recording = run.recordings.end();
+    run.modal = recording.before;
+    return make_contour(run, {recording.elements, recording.plane, recording.is_diameter}, layout);
 }
 
-Done Expander::State::close_contour(std::uint32_t where) {
-    if (recordings.empty()) return kDone;  // in a function that is called from elsewhere
-    Recording& recording = recordings.back();
+Done close_contour(Running& run, std::uint32_t where) {
+    if (!run.recordings.is_open()) return kDone;  // in a function that is called from elsewhere
+    ContourRecording& recording = run.recordings.innermost();
     if (!recording.has_start || recording.is_closed) {
-        if (recording.is_closed) fault(diag::ContourComplete, where);
-        else fault(diag::ContourEmpty, where);
+        if (recording.is_closed) fault(run, diag::ContourComplete, where);
+        else fault(run, diag::ContourEmpty, where);
         return kFailed;
     }
     if (recording.at != recording.start)
@@ -390,8 +414,8 @@ Done Expander::State::close_contour(std::uint32_t where) {
     return kDone;
 }
 
-Done Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instruction,
-                                const Slot* registers, std::uint32_t where) {
+Done keep_plan(Running& run, const sema::Plan& plan, const Instruction& instruction,
+               const Slot* registers, std::uint32_t where) {
     for (const nc::Invocation& invocation : plan.functions) {
         switch (nc::info(invocation.function).group) {
             case Group::Plane:
@@ -399,57 +423,60 @@ Done Expander::State::keep_plan(const sema::Plan& plan, const Instruction& instr
             case Group::Diameter: continue;
             default:
                 return refuse_in_contour(
-                    "`" + std::string(nc::info(invocation.function).name) + "`", where);
+                    run, "`" + std::string(nc::info(invocation.function).name) + "`", where);
         }
     }
-    if (!fill_plan(plan, instruction, registers, where)) return kFailed;
-    return keep(kept_block, where);
+    if (!fill_plan(run, plan, instruction, registers, where)) return kFailed;
+    return keep(run, run.recordings.block(), where);
 }
 
-Done Expander::State::refuse_in_contour(std::string_view what, std::uint32_t where) {
-    fault(diag::ContourBlock, where).arg(what);
+Done refuse_in_contour(Running& run, std::string_view what, std::uint32_t where) {
+    fault(run, diag::ContourBlock, where).arg(what);
     return kFailed;
 }
 
+namespace {
+
 /// One block more: its motion becomes an element.
-Done Expander::State::keep(const Block& block, std::uint32_t where) {
-    Recording& recording = recordings.back();
-    const path::Plane plane = plane_of(modal[Group::Plane]);
+Done keep(Running& run, const Block& block, std::uint32_t where) {
+    ContourRecording& recording = run.recordings.innermost();
+    const path::Plane plane = plane_of(run.modal[Group::Plane]);
     const PlaneIndices axes = indices_of(plane);
     if (!recording.has_start) {
         recording.plane = plane;
-        recording.is_diameter = modal.is_diameter;
+        recording.is_diameter = run.modal.is_diameter;
     } else if (recording.plane != plane) {
-        return refuse_in_contour("another plane", where);
-    } else if (recording.is_diameter != modal.is_diameter) {
-        return refuse_in_contour("a change between diameter and radius", where);
+        return refuse_in_contour(run, "another plane", where);
+    } else if (recording.is_diameter != run.modal.is_diameter) {
+        return refuse_in_contour(run, "a change between diameter and radius", where);
     }
-    if (block.has(nc::Slot::Feed)) return refuse_in_contour("a feed", where);
-    if (block.has(nc::Slot::Speed)) return refuse_in_contour("a speed", where);
-    if (block.has(nc::Slot::Turns)) return refuse_in_contour("a helix", where);
+    if (block.has(nc::Slot::Feed)) return refuse_in_contour(run, "a feed", where);
+    if (block.has(nc::Slot::Speed)) return refuse_in_contour(run, "a speed", where);
+    if (block.has(nc::Slot::Turns)) return refuse_in_contour(run, "a helix", where);
     const nc::SlotMask in_plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
     const nc::SlotMask others = block.given & nc::kTargetSlots & ~in_plane;
     if (others != 0) {
         const auto axis = static_cast<std::size_t>(std::countr_zero(others));
-        return refuse_in_contour("a motion of " + std::string(kAxisNames[axis]), where);
+        return refuse_in_contour(run, "a motion of " + std::string(kAxisNames[axis]), where);
     }
-    const Function motion = modal[Group::Motion];
+    const Function motion = run.modal[Group::Motion];
     const bool is_arc = nc::is_arc(motion);
     const bool has_center = (block.given & nc::kCenterSlots) != 0;
     const bool has_radius = block.has(nc::Slot::Radius);
     const bool moves = (block.given & in_plane) != 0 || (is_arc && has_center);
     if (!moves) return kDone;
     if (recording.is_closed) {
-        fault(diag::ContourComplete, where);
+        fault(run, diag::ContourComplete, where);
         return kFailed;
     }
     const Wording wording = wording_of(recording);
-    const Vec2 to = wording.point({modal.position[axes.first], modal.position[axes.second]});
+    const Vec2 to =
+        wording.point({run.modal.position[axes.first], run.modal.position[axes.second]});
     if (!recording.has_start) {
         const bool both =
-            (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
+            (run.modal.known >> axes.first & 1u) != 0 && (run.modal.known >> axes.second & 1u) != 0;
         if (!both || is_arc) {
-            fault(diag::ContourStart, where)
+            fault(run, diag::ContourStart, where)
                 .arg(kAxisNames[axes.first])
                 .arg(kAxisNames[axes.second]);
             return kFailed;
@@ -457,12 +484,13 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
         recording.has_start = true;
         recording.start = recording.at = to;
         // `G0 X… Y…` may give where it begins; from here on it is cut.
-        if (motion == Function::Rapid) modal.assume(Group::Motion, Function::Line);
+        if (motion == Function::Rapid) run.modal.assume(Group::Motion, Function::Line);
         return kDone;
     }
-    if (motion == Function::Rapid) return refuse_in_contour("a rapid motion", where);
+    if (motion == Function::Rapid) return refuse_in_contour(run, "a rapid motion", where);
     if (!is_arc) {
-        if (has_center || has_radius) return refuse_in_contour("a centre without G2 or G3", where);
+        if (has_center || has_radius)
+            return refuse_in_contour(run, "a centre without G2 or G3", where);
         if (to != recording.at) recording.elements.push_back(path::line_element(recording.at, to));
         recording.at = to;
         return kDone;
@@ -488,7 +516,7 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
             const auto slot =
                 static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + i);
             if (!block.has(slot)) continue;
-            if (i == axes.across) return refuse_in_contour("a centre across the plane", where);
+            if (i == axes.across) return refuse_in_contour(run, "a centre across the plane", where);
             // Of the part as it is: I is no diameter.
             double& value = center[static_cast<Eigen::Index>(i)];
             if ((block.absolute & nc::bit(slot)) != 0) value = block.at(slot);
@@ -501,7 +529,7 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
         arc = path::arc_about_center(ends, center, turning, tolerance);
     }
     if (!arc) {
-        fault(diag::ContourArc, where).arg(describe(arc.error()));
+        fault(run, diag::ContourArc, where).arg(describe(arc.error()));
         return kFailed;
     }
     Element element;
@@ -515,20 +543,26 @@ Done Expander::State::keep(const Block& block, std::uint32_t where) {
     return kDone;
 }
 
+}  // namespace
+
 // ---------------------------------------------------------------- follow
 
-std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slot* arguments,
-                                                                       std::uint32_t where) {
-    PlaneContour contour = read_contour(arguments[at(FollowSlot::Contour)]);
+namespace {
+
+/// What `follow` travels: beside the contour, leads included. Nothing: reported.
+std::optional<PlaneContour> followed(Running& run, const Slot* arguments, std::uint32_t where) {
+    PlaneContour contour = read_contour(run, arguments[at(FollowSlot::Contour)]);
     if (contour.elements.empty()) {
-        fault(diag::ContourEmpty, where);
+        fault(run, diag::ContourEmpty, where);
         return std::nullopt;
     }
     const auto size_of = [&](FollowSlot slot, std::string_view name) -> std::optional<double> {
         const Slot value = arguments[at(slot)];
         if (!is_given(value)) return 0;
         if (value.number >= 0 && value.number < 1e6) return value.number;
-        fault(diag::LeadSize, where).arg(name).arg(quantity_text(value.number, sema::kLength));
+        fault(run, diag::LeadSize, where)
+            .arg(name)
+            .arg(quantity_text(run, value.number, sema::kLength));
         return std::nullopt;
     };
     const auto line_in = size_of(FollowSlot::LeadIn, "lead_in");
@@ -542,14 +576,14 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     const Contour wall = contour.elements;
     if (distance != 0) {
         const auto pieces =
-            path::offset(contour.elements, distance, [this] { return look_for_end(); });
+            path::offset(contour.elements, distance, [&run] { return run.budget.look_for_end(); });
         if (!pieces) {
-            offset_fault(pieces.error(), distance, where);
+            offset_fault(run, pieces.error(), distance, where);
             return std::nullopt;
         }
         if (pieces->size() != 1) {
-            fault(diag::ToolDoesNotFit, where)
-                .arg(quantity_text(std::fabs(distance), sema::kLength))
+            fault(run, diag::ToolDoesNotFit, where)
+                .arg(quantity_text(run, std::fabs(distance), sema::kLength))
                 .arg(pieces->empty() ? std::string("nothing is left")
                                      : std::to_string(pieces->size()) + " pieces are left");
             return std::nullopt;
@@ -569,7 +603,7 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     const bool has_side = is_given(left) || is_given(right);
     auto whole = path::with_leads(contour.elements, leads, {wall, std::fabs(distance), has_side});
     if (!whole) {
-        fault(diag::LeadCuts, where)
+        fault(run, diag::LeadCuts, where)
             .arg(whole.error() == path::LeadFault::InCuts ? "lead-in" : "lead-out");
         return std::nullopt;
     }
@@ -577,23 +611,25 @@ std::optional<Expander::State::PlaneContour> Expander::State::followed(const Slo
     return contour;
 }
 
-Done Expander::State::follow_start(const Instruction& instruction, Slot* registers,
-                                   std::uint32_t where) {
-    const auto contour = followed(registers + instruction.b, where);
+}  // namespace
+
+Done follow_start(Running& run, const Instruction& instruction, Slot* registers,
+                  std::uint32_t where) {
+    const auto contour = followed(run, registers + instruction.b, where);
     if (!contour) return kFailed;
     put_point(registers + instruction.a, wording_of(*contour), contour->elements.front().from);
     return kDone;
 }
 
-Done Expander::State::follow_contour(const Instruction& instruction, const Slot* registers,
-                                     std::uint32_t where) {
-    if (is_between_positions()) return refuse_beside_cycle("a contour", where);
+Done follow_contour(Running& run, const Instruction& instruction, const Slot* registers,
+                    std::uint32_t where) {
+    if (is_between_positions(run)) return refuse_beside_cycle(run, "a contour", where);
     const Slot* arguments = registers + instruction.a;
-    const auto contour = followed(arguments, where);
+    const auto contour = followed(run, arguments, where);
     if (!contour) return kFailed;
-    const path::Plane plane = plane_of(modal[Group::Plane]);
+    const path::Plane plane = plane_of(run.modal[Group::Plane]);
     if (contour->plane != plane) {
-        fault(diag::ContourPlane, where)
+        fault(run, diag::ContourPlane, where)
             .arg("a contour")
             .arg(axes_text({contour->plane}))
             .arg("the program")
@@ -606,34 +642,34 @@ Done Expander::State::follow_contour(const Instruction& instruction, const Slot*
     next.feed = arguments[at(FollowSlot::Feed)].number;
     // X is what the program, or a contour that is being made, has it; else what the contour's words
     // were.
-    const bool is_given = !recordings.empty() || modal[Group::Diameter] != Function::None;
-    const Wording wording{plane, is_given ? modal.is_diameter : contour->is_diameter};
+    const bool is_given = run.recordings.is_open() || run.modal[Group::Diameter] != Function::None;
+    const Wording wording{plane, is_given ? run.modal.is_diameter : contour->is_diameter};
     next.is_diameter = wording.is_diameter;
     const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;
     const bool is_known =
-        (modal.known >> axes.first & 1u) != 0 && (modal.known >> axes.second & 1u) != 0;
-    const Vec2 here = wording.point({modal.position[axes.first], modal.position[axes.second]});
+        (run.modal.known >> axes.first & 1u) != 0 && (run.modal.known >> axes.second & 1u) != 0;
+    const Vec2 here =
+        wording.point({run.modal.position[axes.first], run.modal.position[axes.second]});
     const bool is_there = is_known && (here - begin).norm() <= path::kSamePoint;
     if (!is_there) {
-        if (!emit_element(path::line_element(here, begin), next, where)) return kFailed;
+        if (!emit_element(run, path::line_element(here, begin), next, where)) return kFailed;
         next.feed = sema::kNotGivenNumber;
     }
     for (const Element& element : contour->elements) {
-        if (!emit_element(element, next, where)) return kFailed;
+        if (!emit_element(run, element, next, where)) return kFailed;
         next.feed = sema::kNotGivenNumber;
     }
     return kDone;
 }
 
-/// A line or an arc as a block in the present plane, in coordinates.
-Done Expander::State::emit_element(const Element& element, const FollowedBlock& next,
-                                   std::uint32_t where) {
-    if (!require_room(where)) return kFailed;
-    const Wording wording{plane_of(modal[Group::Plane]), next.is_diameter};
+Done emit_element(Running& run, const Element& element, const FollowedBlock& next,
+                  std::uint32_t where) {
+    if (!require_room(run, where)) return kFailed;
+    const Wording wording{plane_of(run.modal[Group::Plane]), next.is_diameter};
     const PlaneIndices axes = wording.axes();
     const Vec2 words = wording.words(element.to);
-    Block& block = next_block(next.source);
+    Block& block = next_block(run, next.source);
     block.motion = !element.is_arc()   ? Function::Line
                    : element.sweep > 0 ? Function::ArcCcw
                                        : Function::ArcCw;
@@ -642,50 +678,50 @@ Done Expander::State::emit_element(const Element& element, const FollowedBlock& 
         const auto component = static_cast<Eigen::Index>(i);
         const auto word = static_cast<nc::Slot>(plane_axes[i]);
         block.set(word, words[component]);
-        if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
+        if (run.modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(word);
         if (!element.is_arc()) continue;
         const auto center =
             static_cast<nc::Slot>(static_cast<std::size_t>(nc::Slot::CenterX) + plane_axes[i]);
         block.set(center, element.center[component] - element.from[component]);
     }
-    return finish_followed(block, next, where);
+    return finish_followed(run, block, next, where);
 }
 
-Done Expander::State::finish_followed(Block& block, const FollowedBlock& next,
-                                      std::uint32_t where) {
-    const bool owes_behind = modal.take_functions(block, target.rules());
+Done finish_followed(Running& run, Block& block, const FollowedBlock& next, std::uint32_t where) {
+    const bool owes_behind = run.modal.take_functions(block, run.target.rules());
     if (next.feed == next.feed) {
         sema::Filling filling;
         filling.form = sema::Filling::Form::Feed;
-        if (!fill_feed(block, filling, next.feed, where)) {
-            drop_block(block);
+        if (!fill_feed(run, block, filling, next.feed, where)) {
+            drop_block(run, block);
             return kFailed;
         }
     }
-    const bool leads = modal.tcp != ModalState::Tcp::Off && recordings.empty();
-    if ((recordings.empty() && !check_move(block, where)) ||
-        (leads && !check_leading(block, where))) {
-        drop_block(block);
+    const bool leads = run.modal.tcp != ModalState::Tcp::Off && !run.recordings.is_open();
+    if ((!run.recordings.is_open() && !check_move(run, block, where)) ||
+        (leads && !check_leading(run, block, where))) {
+        drop_block(run, block);
         return kFailed;
     }
-    if ((modal.lost | modal.restate) != 0 && !settle_unknown(block, where)) {
-        drop_block(block);
+    if ((run.modal.lost | run.modal.restate) != 0 && !settle_unknown(run, block, where)) {
+        drop_block(run, block);
         return kFailed;
     }
-    if (modal.is_compensation_due() && !check_pitch(block, where)) {
-        drop_block(block);
+    if (run.modal.is_compensation_due() && !check_pitch(run, block, where)) {
+        drop_block(run, block);
         return kFailed;
     }
-    if (modal.has_ended && recordings.empty()) warn_after_end(where);
-    if (modal.diameter_due != Function::None && recordings.empty()) say_diameter(block);
-    modal.take_words(block);
-    if (owes_behind) modal.take_behind(block, target.rules());
-    if (!recordings.empty()) return keep(block, where);
-    if (is_cut_doubtful() && !check_cut(block, where)) {
-        drop_block(block);
+    if (run.modal.has_ended && !run.recordings.is_open()) warn_after_end(run, where);
+    if (run.modal.diameter_due != Function::None && !run.recordings.is_open())
+        say_diameter(run, block);
+    run.modal.take_words(block);
+    if (owes_behind) run.modal.take_behind(block, run.target.rules());
+    if (run.recordings.is_open()) return keep(run, block, where);
+    if (is_cut_doubtful(run) && !check_cut(run, block, where)) {
+        drop_block(run, block);
         return kFailed;
     }
-    if (options.trace) keep_trace(where, next.depth, next.source);
+    if (run.options.trace) keep_trace(run, where, next.depth, next.source);
     return kDone;
 }
 

@@ -3,6 +3,8 @@
 //
 // A modal cycle belongs to the running program, as on the control: a loop or a function may make
 // its positions. What the control does is what interp/cycles.cpp does with its text.
+#include "expand/cycles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +12,11 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
-#include "expand/state.h"
+#include "expand/blocks.h"
+#include "expand/contours.h"
+#include "expand/faults.h"
+#include "expand/running.h"
+#include "expand/start.h"
 #include "nc/parameters.h"
 
 namespace kadr::expand {
@@ -23,6 +29,16 @@ using sema::SourceCycle;
 namespace custom = sema::custom;
 
 namespace {
+
+Done require_no_stroke(Running& run, std::uint32_t at);
+void take_levels(Running& run, nc::Block& block);
+void keep_words(Running& run);
+void take_kept_words(Running& run);
+Done require_words(Running& run, std::uint32_t at);
+void take_given_levels(Running& run, std::uint32_t said);
+Done complete_levels(Running& run, const sema::FunctionCode& function, std::uint32_t at);
+void say_distance(Running& run, nc::Function function, SourceId source, std::uint32_t at,
+                  unsigned depth);
 
 constexpr std::size_t kToolAxis = index(Axis::Z);  // cycles of the library work in X-Y
 constexpr double kSpindleStop = 5;                 // as in M5
@@ -60,21 +76,21 @@ bool has(const sema::Plan& plan, Function function) {
 
 }  // namespace
 
-Done Expander::State::refuse_beside_cycle(std::string_view what, std::uint32_t at) {
-    fault(diag::SourceCycleActive, at)
-        .arg(active_cycle.source->word)
+Done refuse_beside_cycle(Running& run, std::string_view what, std::uint32_t at) {
+    fault(run, diag::SourceCycleActive, at)
+        .arg(run.cycle.source->word)
         .arg(what)
-        .fix(active_cycle.source->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
-                                                                    : "end it before: `G80;`");
+        .fix(run.cycle.source->kind == SourceCycle::Kind::Called ? "end it before: `MCALL;`"
+                                                                 : "end it before: `G80;`");
     return kFailed;
 }
 
-Done Expander::State::require_between_positions(const sema::Plan& plan,
-                                                const Instruction& instruction, std::uint32_t at) {
+Done require_between_positions(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                               std::uint32_t at) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::CycleApart))
-            return refuse_beside_cycle('`' + std::string(nc::info(invocation.function).name) + '`',
-                                       at);
+            return refuse_beside_cycle(
+                run, '`' + std::string(nc::info(invocation.function).name) + '`', at);
     }
     if ((plan.customs & custom::kPlaces) != 0) return kDone;
     const bool moves = plan.motion != Function::None || instruction.b != 0 ||
@@ -82,46 +98,46 @@ Done Expander::State::require_between_positions(const sema::Plan& plan,
                        std::ranges::any_of(plan.fillings, [](const sema::Filling& filling) {
                            return !filling.is_argument && filling.index < kAxes;
                        });
-    return moves ? refuse_beside_cycle("a move that is no block of its file", at) : kDone;
+    return moves ? refuse_beside_cycle(run, "a move that is no block of its file", at) : kDone;
 }
 
-Done Expander::State::take_position(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done take_position(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool begins = (plan.customs & custom::kCyclePosition) != 0;
     const bool ends = plan.motion != Function::None || has(plan, Function::CycleOff);
-    if (ends) active_cycle.taps_rigidly = false;
+    if (ends) run.cycle.taps_rigidly = false;
     const bool is_called =
-        active_cycle.is_active && active_cycle.source->kind == SourceCycle::Kind::Called;
-    if (begins && is_called) return refuse_beside_cycle("another cycle", at);
-    if (!begins && !active_cycle.is_active) {
+        run.cycle.is_active && run.cycle.source->kind == SourceCycle::Kind::Called;
+    if (begins && is_called) return refuse_beside_cycle(run, "another cycle", at);
+    if (!begins && !run.cycle.is_active) {
         if ((plan.customs & custom::kRepeats) == 0) return kDone;
-        fault(diag::SourceRepeats, at).arg("K").arg("none is active");
+        fault(run, diag::SourceRepeats, at).arg("K").arg("none is active");
         return kFailed;
     }
     if (ends && !is_called) {
-        active_cycle.is_active = false;
+        run.cycle.is_active = false;
         return kDone;
     }
     const nc::SlotMask words = block.given & (nc::kTargetSlots | nc::kArcSlots);
     if (words == 0) return kDone;
-    if (plan.skip_level >= 0) return refuse_beside_cycle("a block that may be left out", at);
+    if (plan.skip_level >= 0) return refuse_beside_cycle(run, "a block that may be left out", at);
     if (is_called) {
-        active_cycle.is_due = (words & nc::kTargetSlots) != 0;
+        run.cycle.is_due = (words & nc::kTargetSlots) != 0;
         return kDone;
     }
     if ((words & (nc::kCenterSlots | bit(nc::Slot::Turns))) != 0)
-        return refuse_beside_cycle("a word of an arc", at);
+        return refuse_beside_cycle(run, "a word of an arc", at);
     if (!begins) {
-        active_cycle.is_due = true;
-        take_levels(block);
+        run.cycle.is_due = true;
+        take_levels(run, block);
     }
     if ((block.given & nc::kTargetSlots) == 0) return kDone;
     block.motion = Function::Rapid;
-    modal.assume(Group::Motion, Function::Rapid);
+    run.modal.assume(Group::Motion, Function::Rapid);
     return kDone;
 }
 
-Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation& invocation,
-                                       std::uint32_t at) {
+Done take_cycle_words(Running& run, const Block& block, const nc::Invocation& invocation,
+                      std::uint32_t at) {
     using GivenAs = std::pair<std::size_t, std::string_view>;
     constexpr std::array kGivenAs = {
         GivenAs{nc::parameter_of<Function::CycleWords>("stroke"), "peck"},
@@ -130,40 +146,41 @@ Done Expander::State::take_cycle_words(const Block& block, const nc::Invocation&
         if (!invocation.has(given)) continue;
         const auto word = std::ranges::find(kHeldWords, name, &HeldWord::parameter);
         const bool is_place =
-            active_cycle.is_active && active_cycle.source->kind == SourceCycle::Kind::Modal;
+            run.cycle.is_active && run.cycle.source->kind == SourceCycle::Kind::Modal;
         if (!is_place) {
-            fault(diag::SourceCycleWord, at).arg(std::string(1, word->letter));
+            fault(run, diag::SourceCycleWord, at).arg(std::string(1, word->letter));
             return kFailed;
         }
         const double value = block.argument(invocation, given);
         const auto parameter =
-            find_parameter(code.functions[active_cycle.source->function].parameters, name);
+            find_parameter(run.code.functions[run.cycle.source->function].parameters, name);
         // A cycle without such a word keeps it for the next one.
-        if (parameter && is_given(active_cycle, parameter))
-            set_argument(active_cycle, parameter, value);
-        else active_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
+        if (parameter && is_given(run.cycle, parameter)) set_argument(run.cycle, parameter, value);
+        else run.cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
     }
-    return require_no_stroke(at);
+    return require_no_stroke(run, at);
 }
+
+namespace {
 
 /// `G73 … Q3.`, then `G84`: the stroke is kept, and makes another cycle of the code, which only the
 /// block itself can choose.
-Done Expander::State::require_no_stroke(std::uint32_t at) {
+Done require_no_stroke(Running& run, std::uint32_t at) {
     const auto word = std::ranges::find(kHeldWords, "peck", &HeldWord::parameter);
     const double stroke =
-        active_cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
-    if (!active_cycle.source->has_other_in_strokes || stroke == 0) return kDone;
-    fault(diag::SourceCycleStroke, at)
+        run.cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())].value_or(0);
+    if (!run.cycle.source->has_other_in_strokes || stroke == 0) return kDone;
+    fault(run, diag::SourceCycleStroke, at)
         .arg(std::string(1, word->letter))
-        .arg(active_cycle.source->word);
+        .arg(run.cycle.source->word);
     return kFailed;
 }
 
 /// `X10. Z-12. R3.` among the positions: from here on the cycle has these levels.
-void Expander::State::take_levels(Block& block) {
-    const nc::Rules& rules = active_cycle.source->rules;
-    const bool is_incremental = modal[Group::Distance] == Function::Incremental;
-    control::CycleLevels& levels = active_cycle.levels;
+void take_levels(Running& run, Block& block) {
+    const nc::Rules& rules = run.cycle.source->rules;
+    const bool is_incremental = run.modal[Group::Distance] == Function::Incremental;
+    control::CycleLevels& levels = run.cycle.levels;
     if (block.has(nc::Slot::Radius)) {
         levels.retract = control::cycle_retract(rules, block.at(nc::Slot::Radius), is_incremental);
     }
@@ -179,22 +196,23 @@ void Expander::State::take_levels(Block& block) {
     block.absolute &= ~words;
 }
 
-Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot* registers,
-                                std::uint32_t at) {
-    if (!recordings.empty()) return refuse_in_contour("a cycle", at);
+}  // namespace
+
+Done say_cycle(Running& run, const Instruction& instruction, const sema::Slot* registers,
+               std::uint32_t at) {
+    if (run.recordings.is_open()) return refuse_in_contour(run, "a cycle", at);
     const SourceCycle& source =
-        code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
-    const bool goes_on = active_cycle.is_active &&
-                         active_cycle.source->kind == SourceCycle::Kind::Modal &&
+        run.code.cycles[static_cast<std::size_t>(instruction.immediate.pair.first)];
+    const bool goes_on = run.cycle.is_active &&
+                         run.cycle.source->kind == SourceCycle::Kind::Modal &&
                          source.kind == SourceCycle::Kind::Modal;
-    if (active_cycle.is_active && !goes_on && source.kind != SourceCycle::Kind::Called)
-        return refuse_beside_cycle("another cycle", at);
-    if (goes_on) keep_words();
-    else active_cycle.held = {}, active_cycle.levels = {};
-    active_cycle.source = &source;
-    active_cycle.given = 0;
-    for (const auto& [parameter, value] : source.fixed)
-        set_argument(active_cycle, parameter, value);
+    if (run.cycle.is_active && !goes_on && source.kind != SourceCycle::Kind::Called)
+        return refuse_beside_cycle(run, "another cycle", at);
+    if (goes_on) keep_words(run);
+    else run.cycle.held = {}, run.cycle.levels = {};
+    run.cycle.source = &source;
+    run.cycle.given = 0;
+    for (const auto& [parameter, value] : source.fixed) set_argument(run.cycle, parameter, value);
     for (std::size_t i = 0; i < source.arguments.size(); ++i) {
         const sema::Slot slot = registers[instruction.a + i];
         const SourceCycle::Argument argument = source.arguments[i];
@@ -202,151 +220,153 @@ Done Expander::State::say_cycle(const Instruction& instruction, const sema::Slot
         const bool is_missing =
             argument.is_count ? slot.integer == sema::kNotGivenInteger : value != value;
         if (is_missing) {
-            not_given(code.functions[source.function].parameters[argument.parameter].name, at);
+            not_given(run, run.code.functions[source.function].parameters[argument.parameter].name,
+                      at);
             return kFailed;
         }
         if (!(std::fabs(value) < 1e15)) {
-            math_fault(sema::MathFault::Overflow, at);
+            math_fault(run, sema::MathFault::Overflow, at);
             return kFailed;
         }
-        set_argument(active_cycle, argument.parameter, value);
+        set_argument(run.cycle, argument.parameter, value);
     }
     if (!goes_on) {
-        active_cycle.initial = modal.position[kToolAxis];
-        active_cycle.is_initial_known = (modal.known >> kToolAxis & 1u) != 0;
-        active_cycle.frame = modal.frame;
-        active_cycle.work_offset = modal.work_offset;
+        run.cycle.initial = run.modal.position[kToolAxis];
+        run.cycle.is_initial_known = (run.modal.known >> kToolAxis & 1u) != 0;
+        run.cycle.frame = run.modal.frame;
+        run.cycle.work_offset = run.modal.work_offset;
     }
-    active_cycle.is_active = source.kind != SourceCycle::Kind::Once;
-    active_cycle.is_due = source.kind != SourceCycle::Kind::Called;
-    const std::uint32_t own = active_cycle.given;
-    if (source.kind == SourceCycle::Kind::Modal) take_given_levels(own);
-    if (goes_on) take_kept_words();
-    return require_no_stroke(at) ? require_words(at) : kFailed;
+    run.cycle.is_active = source.kind != SourceCycle::Kind::Once;
+    run.cycle.is_due = source.kind != SourceCycle::Kind::Called;
+    const std::uint32_t own = run.cycle.given;
+    if (source.kind == SourceCycle::Kind::Modal) take_given_levels(run, own);
+    if (goes_on) take_kept_words(run);
+    return require_no_stroke(run, at) ? require_words(run, at) : kFailed;
 }
+
+namespace {
 
 /// What the cycle so far had programmed holds for the next one of the mode, too. What its code has
 /// by itself is no word: `G81` does not dwell, and a P from before waits for the next `G82`.
-void Expander::State::keep_words() {
-    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
+void keep_words(Running& run) {
+    const sema::FunctionCode& function = run.code.functions[run.cycle.source->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
-        const bool is_fixed =
-            std::ranges::any_of(active_cycle.source->fixed,
-                                [&](const auto& fixed) { return fixed.first == parameter; });
-        if (is_given(active_cycle, parameter) && !is_fixed)
-            active_cycle.held[i] = active_cycle.arguments[*parameter];
+        const bool is_fixed = std::ranges::any_of(
+            run.cycle.source->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
+        if (is_given(run.cycle, parameter) && !is_fixed)
+            run.cycle.held[i] = run.cycle.arguments[*parameter];
     }
 }
 
-void Expander::State::take_kept_words() {
-    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
+void take_kept_words(Running& run) {
+    const sema::FunctionCode& function = run.code.functions[run.cycle.source->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
-        if (active_cycle.held[i] && !is_given(active_cycle, parameter))
-            set_argument(active_cycle, parameter, *active_cycle.held[i]);
+        if (run.cycle.held[i] && !is_given(run.cycle, parameter))
+            set_argument(run.cycle, parameter, *run.cycle.held[i]);
     }
 }
 
 /// Whether a modal cycle has its levels, and what else has no value of its own.
-Done Expander::State::require_words(std::uint32_t at) {
-    if (active_cycle.source->kind != SourceCycle::Kind::Modal) return kDone;
-    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
+Done require_words(Running& run, std::uint32_t at) {
+    if (run.cycle.source->kind != SourceCycle::Kind::Modal) return kDone;
+    const sema::FunctionCode& function = run.code.functions[run.cycle.source->function];
     std::string missing;
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const sema::ParameterInfo& parameter = function.parameters[i];
         const auto word = std::ranges::find(kHeldWords, parameter.name, &HeldWord::parameter);
         const bool is_level = parameter.name == "to" || parameter.name == "retract";
-        if (is_given(active_cycle, i) || parameter.name == "pitch") continue;  // F gives the pitch
+        if (is_given(run.cycle, i) || parameter.name == "pitch") continue;  // F gives the pitch
         if (!is_level && parameter.has_default) continue;
         if (!missing.empty()) missing += ' ';
         if (word != kHeldWords.end()) missing += word->letter;
         else missing += parameter.name;
     }
     if (missing.empty()) return kDone;
-    fault(diag::BlockWordMissing, at).arg(active_cycle.source->word).arg(missing);
+    fault(run, diag::BlockWordMissing, at).arg(run.cycle.source->word).arg(missing);
     return kFailed;
 }
 
 /// `said`: the arguments that the block itself has.
-void Expander::State::take_given_levels(std::uint32_t said) {
-    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
-    const nc::Rules& rules = active_cycle.source->rules;
-    const bool is_incremental = modal[Group::Distance] == Function::Incremental;
+void take_given_levels(Running& run, std::uint32_t said) {
+    const sema::FunctionCode& function = run.code.functions[run.cycle.source->function];
+    const nc::Rules& rules = run.cycle.source->rules;
+    const bool is_incremental = run.modal[Group::Distance] == Function::Incremental;
     const auto value = [&](std::string_view name) -> std::optional<double> {
         const std::optional<std::size_t> parameter = find_parameter(function.parameters, name);
         if (!parameter || (said >> *parameter & 1u) == 0) return std::nullopt;
-        return active_cycle.arguments[*parameter];
+        return run.cycle.arguments[*parameter];
     };
     if (const auto retract = value("retract"))
-        active_cycle.levels.retract = control::cycle_retract(rules, *retract, is_incremental);
+        run.cycle.levels.retract = control::cycle_retract(rules, *retract, is_incremental);
     if (const auto depth = value("to"))
-        active_cycle.levels.depth = control::cycle_depth(rules, *depth, is_incremental);
+        run.cycle.levels.depth = control::cycle_depth(rules, *depth, is_incremental);
 }
 
 /// The level where the mode began, in the present frame.
-std::optional<double> Expander::State::initial_level(std::uint32_t at) {
+std::optional<double> initial_level(Running& run, std::uint32_t at) {
     control::KnownPoint begin;
-    begin.value[kToolAxis] = active_cycle.initial;
-    begin.is_known[kToolAxis] = active_cycle.is_initial_known;
-    const control::KnownPoint here = control::change_frame(begin, active_cycle.frame, modal.frame);
-    if (here.is_known[kToolAxis] && modal.work_offset == active_cycle.work_offset)
+    begin.value[kToolAxis] = run.cycle.initial;
+    begin.is_known[kToolAxis] = run.cycle.is_initial_known;
+    const control::KnownPoint here = control::change_frame(begin, run.cycle.frame, run.modal.frame);
+    if (here.is_known[kToolAxis] && run.modal.work_offset == run.cycle.work_offset)
         return here.value[kToolAxis];
-    fault(diag::SourceCycleLevel, at)
-        .arg(active_cycle.source->word)
+    fault(run, diag::SourceCycleLevel, at)
+        .arg(run.cycle.source->word)
         .fix("move the tool axis before the cycle begins: `G0 Z50.`");
     return std::nullopt;
 }
 
 /// A tapping cycle has its pitch from F: F itself where it counts by the revolution, else F
 /// divided by the speed.
-Done Expander::State::complete_pitch(std::size_t pitch, std::uint32_t at) {
-    const bool is_pitch = modal[Group::FeedMode] == Function::FeedPerRevolution;
-    const bool has_speed =
-        modal.has_speed && modal.speed > 0 && modal[Group::SpeedMode] != Function::CuttingSpeedOn;
-    const bool is_known = modal.has_feed && (is_pitch || has_speed) &&
-                          modal[Group::FeedMode] != Function::FeedInverseTime;
+Done complete_pitch(Running& run, std::size_t pitch, std::uint32_t at) {
+    const bool is_pitch = run.modal[Group::FeedMode] == Function::FeedPerRevolution;
+    const bool has_speed = run.modal.has_speed && run.modal.speed > 0 &&
+                           run.modal[Group::SpeedMode] != Function::CuttingSpeedOn;
+    const bool is_known = run.modal.has_feed && (is_pitch || has_speed) &&
+                          run.modal[Group::FeedMode] != Function::FeedInverseTime;
     if (!is_known) {
-        fault(diag::SourceCyclePitch, at)
-            .arg(active_cycle.source->word)
+        fault(run, diag::SourceCyclePitch, at)
+            .arg(run.cycle.source->word)
             .arg(is_pitch ? "" : " and S");
         return kFailed;
     }
-    set_argument(active_cycle, pitch, is_pitch ? modal.feed : modal.feed / modal.speed);
+    set_argument(run.cycle, pitch, is_pitch ? run.modal.feed : run.modal.feed / run.modal.speed);
     return kDone;
 }
 
-Done Expander::State::complete_cycle(const sema::FunctionCode& function, std::uint32_t at) {
-    if (active_cycle.taps_rigidly) {
-        set_argument(active_cycle, find_parameter(function.parameters, "floating"), 0);
-        if (active_cycle.source->rules.rigid_tap_stops_spindle)
-            set_argument(active_cycle, find_parameter(function.parameters, "after"), kSpindleStop);
+Done complete_cycle(Running& run, const sema::FunctionCode& function, std::uint32_t at) {
+    if (run.cycle.taps_rigidly) {
+        set_argument(run.cycle, find_parameter(function.parameters, "floating"), 0);
+        if (run.cycle.source->rules.rigid_tap_stops_spindle)
+            set_argument(run.cycle, find_parameter(function.parameters, "after"), kSpindleStop);
     }
     const std::optional<std::size_t> pitch = find_parameter(function.parameters, "pitch");
     const bool is_given = std::ranges::any_of(
-        active_cycle.source->arguments, [&](const SourceCycle::Argument& argument) {
+        run.cycle.source->arguments, [&](const SourceCycle::Argument& argument) {
             return argument.parameter == pitch.value_or(nc::kMaxArguments);
         });
-    if (pitch && !is_given && !complete_pitch(*pitch, at)) return kFailed;
-    if (active_cycle.source->kind != SourceCycle::Kind::Modal) return kDone;
-    return complete_levels(function, at);
+    if (pitch && !is_given && !complete_pitch(run, *pitch, at)) return kFailed;
+    if (run.cycle.source->kind != SourceCycle::Kind::Modal) return kDone;
+    return complete_levels(run, function, at);
 }
 
 /// The level where the mode began is asked for only if a level of the call depends on it.
-Done Expander::State::complete_levels(const sema::FunctionCode& function, std::uint32_t at) {
-    const bool is_incremental = modal[Group::Distance] == Function::Incremental;
+Done complete_levels(Running& run, const sema::FunctionCode& function, std::uint32_t at) {
+    const bool is_incremental = run.modal[Group::Distance] == Function::Incremental;
     const auto complete = [&](std::optional<double> initial) {
-        return control::complete_levels(active_cycle.source->rules, active_cycle.levels,
-                                        is_incremental, initial, active_cycle.returns_low);
+        return control::complete_levels(run.cycle.source->rules, run.cycle.levels, is_incremental,
+                                        initial, run.cycle.returns_low);
     };
     std::optional<control::CallLevels> levels = complete(std::nullopt);
     if (!levels) {
-        const std::optional<double> initial = initial_level(at);
+        const std::optional<double> initial = initial_level(run, at);
         if (!initial) return kFailed;
         levels = complete(initial);
     }
     const auto set = [&](std::string_view name, double level) {
-        set_argument(active_cycle, find_parameter(function.parameters, name), level);
+        set_argument(run.cycle, find_parameter(function.parameters, name), level);
     };
     set("retract", levels->retract);
     set("to", levels->depth);
@@ -354,58 +374,65 @@ Done Expander::State::complete_levels(const sema::FunctionCode& function, std::u
     return kDone;
 }
 
-Done Expander::State::call_cycle(const Instruction& instruction, const sema::Slot* registers,
-                                 std::uint32_t at) {
-    const sema::FunctionCode& function = code.functions[active_cycle.source->function];
-    active_cycle.is_due = false;
-    active_cycle.is_running = true;
-    if (!complete_cycle(function, at)) return kFailed;
-    if (active_cycle.source->kind != SourceCycle::Kind::Modal)
-        active_cycle.motion = modal[Group::Motion];
-    active_cycle.was_incremental = modal[Group::Distance] == Function::Incremental;
+}  // namespace
+
+Done call_cycle(Running& run, const Instruction& instruction, const sema::Slot* registers,
+                std::uint32_t at) {
+    const sema::FunctionCode& function = run.code.functions[run.cycle.source->function];
+    run.cycle.is_due = false;
+    run.cycle.is_running = true;
+    if (!complete_cycle(run, function, at)) return kFailed;
+    if (run.cycle.source->kind != SourceCycle::Kind::Modal)
+        run.cycle.motion = run.modal[Group::Motion];
+    run.cycle.was_incremental = run.modal[Group::Distance] == Function::Incremental;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.first)};
-    if (active_cycle.was_incremental) say_distance(Function::Absolute, source, at, instruction.c);
-    if (has_failed) return kFailed;
-    if (frames.size() > options.limits.call_depth) {
-        fault(diag::CallDepthLimit, at).arg(static_cast<std::int64_t>(options.limits.call_depth));
+    if (run.cycle.was_incremental) say_distance(run, Function::Absolute, source, at, instruction.c);
+    if (run.status.has_failed()) return kFailed;
+    if (run.vm.calls.size() > run.options.limits.call_depth) {
+        fault(run, diag::CallDepthLimit, at)
+            .arg(static_cast<std::int64_t>(run.options.limits.call_depth));
         return kFailed;
     }
-    const auto base = static_cast<std::uint32_t>(registers - stack.data()) + instruction.a;
-    const std::uint32_t outer_loops = frames.back().loops;
-    CallFrame& frame = frames.push();
+    const auto base = static_cast<std::uint32_t>(registers - run.vm.stack.data()) + instruction.a;
+    const std::uint32_t outer_loops = run.vm.calls.back().loops;
+    CallFrame& frame = run.vm.calls.push();
     frame.function = &function;
     frame.return_to = at + 1;
     frame.base = base;
-    frame.given = active_cycle.given;
-    frame.promises = static_cast<std::uint32_t>(promises.size());
-    frame.loops = options.trace ? outer_loops + instruction.c : 0;
-    reserve_stack(std::size_t{base} + function.registers + 8);
+    frame.given = run.cycle.given;
+    frame.promises = run.scopes.promises();
+    frame.loops = run.options.trace ? outer_loops + instruction.c : 0;
+    run.vm.reserve_stack(std::size_t{base} + function.registers + 8);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
-        if ((active_cycle.given >> i & 1u) == 0) continue;
+        if ((run.cycle.given >> i & 1u) == 0) continue;
         const sema::ParameterInfo& parameter = function.parameters[i];
-        const double factor = spared_factor(*active_cycle.source, modal.frame, parameter.name);
-        set_number(parameter, active_cycle.arguments[i] / factor, stack[base + parameter.slot]);
+        const double factor = spared_factor(*run.cycle.source, run.modal.frame, parameter.name);
+        set_number(parameter, run.cycle.arguments[i] / factor, run.vm.stack[base + parameter.slot]);
     }
     return kDone;
 }
 
-void Expander::State::say_distance(Function function, SourceId source, std::uint32_t at,
-                                   unsigned depth) {
-    if (!require_room(at)) return;
-    Block& block = next_block(source);
+namespace {
+
+void say_distance(Running& run, Function function, SourceId source, std::uint32_t at,
+                  unsigned depth) {
+    if (!require_room(run, at)) return;
+    Block& block = next_block(run, source);
     block.add(function);
-    modal.take_block(block, target.rules());
-    if (options.trace) keep_trace(at, depth, source);
+    run.modal.take_block(block, run.target.rules());
+    if (run.options.trace) keep_trace(run, at, depth, source);
 }
 
-void Expander::State::leave_cycle(const Instruction& instruction, std::uint32_t at) {
+}  // namespace
+
+void leave_cycle(Running& run, const Instruction& instruction, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    active_cycle.is_running = false;
-    modal.assume(Group::Motion, active_cycle.motion);
-    modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
-    modal.restate_motion = true;
-    if (active_cycle.was_incremental)
-        say_distance(Function::Incremental, source, at, instruction.c);
+    run.cycle.is_running = false;
+    run.modal.assume(Group::Motion, run.cycle.motion);
+    run.modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
+    run.modal.restate_motion = true;
+    if (run.cycle.was_incremental)
+        say_distance(run, Function::Incremental, source, at, instruction.c);
 }
 
 }  // namespace kadr::expand

@@ -74,6 +74,7 @@ struct ExpandOptions {
 };
 
 struct ModalState;
+struct Running;
 
 /// Evaluates a program, batch by batch. Errors while it runs are reported with the call stack and
 /// end the stream.
@@ -129,8 +130,7 @@ class Expander final : public Stream<nc::Block> {
     const BlockOrigin& trace(std::size_t i) const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<Running> run_;
 };
 
 }  // namespace kadr::expand

@@ -1,12 +1,20 @@
 // frame_blocks.cpp — frames as blocks, and where the tool is in a new one.
+#include "expand/frame_blocks.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 #include "base/diagnostics/expand.h"
+#include "expand/blocks.h"
+#include "expand/contours.h"
+#include "expand/faults.h"
 #include "expand/numbers.h"
-#include "expand/state.h"
+#include "expand/orienting.h"
+#include "expand/running.h"
+#include "expand/tilted_planes.h"
+#include "expand/unknown.h"
 #include "nc/frame_words.h"
 #include "nc/parameters.h"
 #include "nc/tables.h"
@@ -36,13 +44,12 @@ constexpr double kFactorLimit = 10000;
 
 constexpr double kTurnDeg = 360;
 
-}  // namespace
-
-Done Expander::State::check_factor(double factor, std::uint32_t at) {
+Done check_factor(Running& run, double factor, std::uint32_t at) {
     const double size = std::fabs(factor);
     const bool is_sized = size >= kLeastFactor && size < kFactorLimit;
     if (is_sized && factor > 0) return kDone;
-    auto builder = fault(is_sized || factor == 0 ? diag::FrameScale : diag::FrameScaleRange, at);
+    auto builder =
+        fault(run, is_sized || factor == 0 ? diag::FrameScale : diag::FrameScaleRange, at);
     builder.arg(factor);
     if (is_sized)
         builder.fix(
@@ -56,9 +63,9 @@ Done Expander::State::check_factor(double factor, std::uint32_t at) {
     return kFailed;
 }
 
-/// The values of frames that a block has itself: mirrors that all end, factors that are some, and
-/// an angle of less than a revolution, which is all that controls take (F 3.7 G68: ±360).
-Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
+}  // namespace
+
+Done settle_frame(Running& run, Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& frame = block.functions[i];
         if (frame.function == Function::Rotate && frame.has(kAngle))
@@ -66,30 +73,32 @@ Done Expander::State::settle_frame(Block& block, std::uint32_t at) {
         if (frame.function == Function::MirrorOff) frame.given = 0;  // none stays
         if (frame.function != Function::Scale) continue;
         for (const std::size_t k : {kOfAll, kOfX, kOfY, kOfZ})
-            if (frame.has(k) && !check_factor(block.argument(frame, k), at)) return kFailed;
+            if (frame.has(k) && !check_factor(run, block.argument(frame, k), at)) return kFailed;
     }
     return kDone;
 }
 
-Done Expander::State::change_frame(const Instruction& instruction, const sema::Slot* registers,
-                                   std::uint32_t at) {
-    if (!recordings.empty()) return refuse_in_contour("a frame", at);
-    if (modal.tilt == ModalState::PlaneTilt::Closed) return refuse_in_tilted_plane("a frame", at);
-    if (modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp("a frame", at);
+Done change_frame(Running& run, const Instruction& instruction, const sema::Slot* registers,
+                  std::uint32_t at) {
+    if (run.recordings.is_open()) return refuse_in_contour(run, "a frame", at);
+    if (run.modal.tilt == ModalState::PlaneTilt::Closed)
+        return refuse_in_tilted_plane(run, "a frame", at);
+    if (run.modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp(run, "a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     const auto change = static_cast<sema::WithFrame>(instruction.b);
     const std::size_t count = change == sema::WithFrame::Rotate  ? 4
                               : change == sema::WithFrame::Scale ? 7
                                                                  : 3;
-    if (modal.lost != 0 && !require_frame(change == sema::WithFrame::Rotate, at)) return kFailed;
+    if (run.modal.lost != 0 && !require_frame(run, change == sema::WithFrame::Rotate, at))
+        return kFailed;
     std::array<double, 7> numbers{};
     std::array<bool, 7> is_given{};
     for (std::size_t i = 0; i < count; ++i) {
         is_given[i] = values[i].number == values[i].number;
         numbers[i] = is_given[i] ? values[i].number : 0;
         if (!is_sane(numbers[i])) {
-            math_fault(sema::MathFault::Overflow, at);
+            math_fault(run, sema::MathFault::Overflow, at);
             return kFailed;
         }
     }
@@ -98,11 +107,11 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
     };
     constexpr std::size_t kX = parameter_of_all<"x", Function::Shift, Function::Mirror>();
     const std::array<bool, 3> given{is_given[kX], is_given[kX + 1], is_given[kX + 2]};
-    control::FrameSteps steps = modal.steps;
+    control::FrameSteps steps = run.modal.steps;
     switch (change) {
         case sema::WithFrame::Shift: steps.shift_add(three(kX), given); break;
         case sema::WithFrame::Rotate:
-            steps.rotate(numbers[kAngle], modal[Group::Plane], three(kCenter));
+            steps.rotate(numbers[kAngle], run.modal[Group::Plane], three(kCenter));
             break;
         case sema::WithFrame::Scale: {
             std::array<double, 3> factors{};
@@ -110,7 +119,7 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
                 factors[i] = is_given[kOfX + i] ? numbers[kOfX + i]
                              : is_given[kOfAll] ? numbers[kOfAll]
                                                 : 1;
-                if (!check_factor(factors[i], at)) return kFailed;
+                if (!check_factor(run, factors[i], at)) return kFailed;
             }
             steps.scale(factors, three(kCenter));
             break;
@@ -118,40 +127,37 @@ Done Expander::State::change_frame(const Instruction& instruction, const sema::S
         case sema::WithFrame::Mirror: steps.mirror(given); break;
     }
     const auto [next, why] = steps.frame();
-    if (why != control::FrameFormFault::None) return refuse_frame(why, at);
-    write_frame(next, source, at, instruction.c);
-    modal.steps = steps;
-    return Done(!has_failed);
+    if (why != control::FrameFormFault::None) return refuse_frame(run, why, at);
+    write_frame(run, next, source, at, instruction.c);
+    run.modal.steps = steps;
+    return Done(!run.status.has_failed());
 }
 
-/// No frame of the language is what the steps make.
-Done Expander::State::refuse_frame(control::FrameFormFault why, std::uint32_t at) {
-    fault(why == control::FrameFormFault::Planes ? diag::FramePlanes : diag::FrameStretched, at);
+Done refuse_frame(Running& run, control::FrameFormFault why, std::uint32_t at) {
+    fault(run, why == control::FrameFormFault::Planes ? diag::FramePlanes : diag::FrameStretched,
+          at);
     return kFailed;
 }
 
-/// The writer needs to know where the tool is in the new frame: for arcs, for F of helices, and
-/// where the control has no words for coordinates and distances beside each other.
-void Expander::State::write_position(const sema::Plan& plan, const Instruction& instruction,
-                                     std::uint32_t at) {
-    const nc::SlotMask known = modal.known & nc::kTargetSlots;
+void write_position(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                    std::uint32_t at) {
+    const nc::SlotMask known = run.modal.known & nc::kTargetSlots;
     const bool moves = plan.given != 0 || !plan.fillings.empty();
-    if (!moves || !recordings.empty()) return;
-    modal.is_position_due = false;
+    if (!moves || run.recordings.is_open()) return;
+    run.modal.is_position_due = false;
     if (known == 0) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    Block& block = next_block(source);
+    Block& block = next_block(run, source);
     block.kind = Block::Kind::Position;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const auto slot = static_cast<nc::Slot>(i);
-        if ((known & nc::bit(slot)) != 0) block.set(slot, modal.position[i]);
+        if ((known & nc::bit(slot)) != 0) block.set(slot, run.modal.position[i]);
     }
-    if (options.trace) keep_trace(at, instruction.c, source);
+    if (run.options.trace) keep_trace(run, at, instruction.c, source);
 }
 
-/// Frames have radii in the language; a control may take them as what X is.
-void Expander::State::scale_frame_x(Block& block, double factor) const {
-    if (!modal.is_diameter) return;
+void scale_frame_x(const Running& run, Block& block, double factor) {
+    if (!run.modal.is_diameter) return;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         nc::Invocation& invocation = block.functions[i];
         const std::optional<std::size_t> x = nc::frame_x(invocation.function);
@@ -160,26 +166,23 @@ void Expander::State::scale_frame_x(Block& block, double factor) const {
     }
 }
 
-/// Writes the change from the present frame to another one in functions that every control has: the
-/// whole shift, which deletes all else, then mirrors, scale and rotation anew, in the order in
-/// which FANUC takes them. An unequal scale stands inside the rotation.
-void Expander::State::write_frame(const control::ProgramFrame& next, SourceId source,
-                                  std::uint32_t at, unsigned depth) {
-    const control::ProgramFrame from = modal.frame;
+void write_frame(Running& run, const control::ProgramFrame& next, SourceId source, std::uint32_t at,
+                 unsigned depth) {
+    const control::ProgramFrame from = run.modal.frame;
     // Whatever acts is deleted.
-    const bool is_lost =
-        (modal.lost & sema::kFrameBit) != 0 || modal.frame_fault != control::FrameFormFault::None;
+    const bool is_lost = (run.modal.lost & sema::kFrameBit) != 0 ||
+                         run.modal.frame_fault != control::FrameFormFault::None;
     if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,
                          std::span<const bool> given) {
-        if (has_failed || !require_room(at)) return;
-        Block& block = next_block(source);
+        if (run.status.has_failed() || !require_room(run, at)) return;
+        Block& block = next_block(run, source);
         nc::Invocation* invocation = block.add(function, values.size());
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (given[i]) block.set_argument(*invocation, i, values[i]);
         }
-        if (target.rules().shift_in_diameter) scale_frame_x(block, 2);
-        if (options.trace) keep_trace(at, depth, source);
+        if (run.target.rules().shift_in_diameter) scale_frame_x(run, block, 2);
+        if (run.options.trace) keep_trace(run, at, depth, source);
     };
     const std::array<bool, 3> none{};
     // What is in force already need not be written anew, if nothing behind it has to go.
@@ -200,7 +203,7 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
         add(Function::Shift, next.shift, given);
     }
     // A rotation is of the plane that acts where it stands.
-    const Function plane = modal[Group::Plane];
+    const Function plane = run.modal[Group::Plane];
     const bool is_in_other = plane != Function::None && plane != next.plane;
     const auto add_rotation = [&] {
         if (next.angle_deg == 0) return;
@@ -225,19 +228,17 @@ void Expander::State::write_frame(const control::ProgramFrame& next, SourceId so
                        !is_equal && fz != 1});
     }
     if (!next.is_stretched(next.plane)) add_rotation();
-    modal.put_frame(next, source);
-    modal.lost &= ~sema::kFrameBit;
+    run.modal.put_frame(next, source);
+    run.modal.lost &= ~sema::kFrameBit;
 }
 
-/// The whole frame of the program, where the control may have taken it off: written on top of
-/// itself it is the same. S 7.1.
-void Expander::State::put_frame_again(SourceId source, std::uint32_t at, unsigned depth) {
-    const bool is_known = (modal.lost & sema::kFrameBit) == 0;
-    if (!is_known || modal.frame.is_identity()) return;
-    modal.lost |= sema::kFrameBit;  // whatever acts is deleted
-    const control::FrameSteps steps = modal.steps;
-    write_frame(modal.frame, source, at, depth);
-    modal.steps = steps;
+void put_frame_again(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
+    const bool is_known = (run.modal.lost & sema::kFrameBit) == 0;
+    if (!is_known || run.modal.frame.is_identity()) return;
+    run.modal.lost |= sema::kFrameBit;  // whatever acts is deleted
+    const control::FrameSteps steps = run.modal.steps;
+    write_frame(run, run.modal.frame, source, at, depth);
+    run.modal.steps = steps;
 }
 
 }  // namespace kadr::expand

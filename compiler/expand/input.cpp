@@ -1,5 +1,7 @@
 // input.cpp — blocks written in the manner of another control: the target shall do what that
 // control would have done with them, or the program ends with a message.
+#include "expand/input.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +9,14 @@
 
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
+#include "expand/blocks.h"
+#include "expand/cycles.h"
+#include "expand/faults.h"
+#include "expand/frame_blocks.h"
+#include "expand/orienting.h"
 #include "expand/plane.h"
-#include "expand/state.h"
+#include "expand/running.h"
+#include "expand/unknown.h"
 #include "nc/parameters.h"
 #include "nc/tables.h"
 
@@ -23,6 +31,21 @@ using nc::parameter_of_all;
 namespace custom = sema::custom;
 
 namespace {
+
+Done emit_rest(Running& run, const sema::Plan& plan, const sema::Instruction& instruction,
+               const sema::Slot* registers, std::uint32_t at);
+Done require_free_frame(Running& run, nc::Function function, std::uint32_t at);
+void adapt_shift(Running& run, nc::Block& block, nc::Invocation& shift);
+Done adapt_machine(Running& run, nc::Block& block, const sema::Plan& plan, std::uint32_t at);
+Done complete_center(Running& run, nc::Block& block, nc::Invocation& invocation, std::uint32_t at);
+void center_unknown(Running& run, nc::Function function, std::size_t axis, std::uint32_t at);
+bool is_increment(const Running& run, const nc::Block& block, nc::SlotMask axis);
+void become_place(const Running& run, nc::Block& block, std::size_t axis);
+Done name_positions(Running& run, nc::Block& block, std::uint32_t at);
+Done take_station(Running& run, nc::Block& block, nc::Invocation& select, std::uint32_t at);
+Done take_offsets_as_edges(Running& run, nc::Block& block, std::uint32_t at);
+Done take_edge_as_length(Running& run, nc::Block& block, nc::Invocation& edge, std::uint32_t at);
+Done take_edges_as_offsets(Running& run, nc::Block& block, std::uint32_t at);
 
 constexpr std::size_t kTool = parameter_of_all<"tool", Function::ToolSelect, Function::Tool>();
 constexpr std::size_t kEdge = parameter_of<Function::ToolEdge>("edge");
@@ -137,40 +160,40 @@ Function name_length_axis(ModalState& modal, Block& block) {
 
 }  // namespace
 
-bool Expander::State::needs_frame(const sema::Plan& plan) const {
+bool needs_frame(const Running& run, const sema::Plan& plan) {
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
-        if (needs_frame(plan, i)) return true;
+        if (needs_frame(run, plan, i)) return true;
     }
     return false;
 }
 
-/// Whether one of its functions is written as the whole frame that it leaves.
-bool Expander::State::needs_frame(const sema::Plan& plan, std::size_t invocation) const {
+bool needs_frame(const Running& run, const sema::Plan& plan, std::size_t invocation) {
     const Function function = plan.functions[invocation].function;
     switch (function) {
-        case Function::ShiftAdd: return !target.can_write(function);
+        case Function::ShiftAdd: return !run.target.can_write(function);
         // Of some axes: the others' mirrors are written anew.
         case Function::MirrorOff:
-            if (frame_behind(modal.steps, plan, invocation).has_mirror()) return true;
+            if (frame_behind(run.modal.steps, plan, invocation).has_mirror()) return true;
             [[fallthrough]];
         // What is left of the text's own steps may be another frame.
         case Function::RotateOff:
         case Function::ScaleOff:
-            return !target.can_write(function) ||
-                   modal.frame_fault != control::FrameFormFault::None ||
-                   !control::is_same(frame_behind(modal.steps, plan, invocation),
-                                     frame_behind(modal.written_steps, plan, invocation));
+            return !run.target.can_write(function) ||
+                   run.modal.frame_fault != control::FrameFormFault::None ||
+                   !control::is_same(frame_behind(run.modal.steps, plan, invocation),
+                                     frame_behind(run.modal.written_steps, plan, invocation));
         case Function::Rotate:
-            return (plan.customs & custom::kRotateReplaces) != 0 && modal.frame.angle_deg != 0;
+            return (plan.customs & custom::kRotateReplaces) != 0 && run.modal.frame.angle_deg != 0;
         default: return false;
     }
 }
 
+namespace {
+
 /// The first four arguments of a function, mm or degrees.
-Done Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocation,
-                                     const Instruction& instruction, const sema::Slot* registers,
-                                     std::uint32_t at, std::array<double, 4>& values,
-                                     std::array<bool, 4>& given) {
+Done read_arguments(Running& run, const sema::Plan& plan, std::size_t invocation,
+                    const Instruction& instruction, const sema::Slot* registers, std::uint32_t at,
+                    std::array<double, 4>& values, std::array<bool, 4>& given) {
     const std::size_t first = plan.functions[invocation].first;
     for (const auto& [place, value] : plan.arguments) {
         if (place < first || place >= first + 4) continue;
@@ -183,8 +206,8 @@ Done Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocat
         if (!filling.is_argument || filling.invocation != invocation) continue;
         const double number = numbers[f].number;
         if (!(std::fabs(number) < 1e15)) {
-            if (number != number) not_given({}, word_of(filling, at));
-            else math_fault(sema::MathFault::Overflow, at);
+            if (number != number) not_given(run, {}, word_of(run, filling, at));
+            else math_fault(run, sema::MathFault::Overflow, at);
             return kFailed;
         }
         values[filling.parameter] = number;
@@ -193,32 +216,33 @@ Done Expander::State::read_arguments(const sema::Plan& plan, std::size_t invocat
     return kDone;
 }
 
-/// The frame that the functions leave is written by shift, rotation and mirrors; what else stands
-/// in the block comes behind it.
-Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& instruction,
-                                 const sema::Slot* registers, std::uint32_t at) {
+}  // namespace
+
+Done emit_frame(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    if (modal.lost != 0 && !require_frame(false, at)) return kFailed;
-    control::FrameSteps steps = modal.steps;
+    if (run.modal.lost != 0 && !require_frame(run, false, at)) return kFailed;
+    control::FrameSteps steps = run.modal.steps;
     const auto say = [&] {
         const auto [next, why] = steps.frame();
-        if (why != control::FrameFormFault::None) return refuse_frame(why, at);
-        write_frame(next, source, at, instruction.c);
-        modal.steps = steps;
-        return Done(!has_failed);
+        if (why != control::FrameFormFault::None) return refuse_frame(run, why, at);
+        write_frame(run, next, source, at, instruction.c);
+        run.modal.steps = steps;
+        return Done(!run.status.has_failed());
     };
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
         const Function function = plan.functions[i].function;
         // What else stands in the block meets the frame that these leave (emit_rest).
         const bool is_bound = (plan.customs & custom::kFrameOrder) != 0 &&
                               nc::has_fact(function, nc::Fact::ChangesFrame);
-        if (is_bound && !require_free_frame(function, at)) return kFailed;
+        if (is_bound && !require_free_frame(run, function, at)) return kFailed;
         delete_steps(steps, plan, i);
         if (function != Function::ShiftAdd && function != Function::Rotate) continue;
         // These stand in blocks of their own: nothing is left to write.
         std::array<double, 4> values{};
         std::array<bool, 4> given{};
-        if (!read_arguments(plan, i, instruction, registers, at, values, given)) return kFailed;
+        if (!read_arguments(run, plan, i, instruction, registers, at, values, given))
+            return kFailed;
         if (function == Function::ShiftAdd) {
             constexpr std::size_t kX = parameter_of<Function::ShiftAdd>("x");
             steps.shift_add({values[kX], values[kX + 1], values[kX + 2]},
@@ -226,25 +250,27 @@ Done Expander::State::emit_frame(const sema::Plan& plan, const Instruction& inst
         } else {
             constexpr std::size_t kRotation = parameter_of<Function::Rotate>("angle");
             constexpr std::size_t kX = parameter_of<Function::Rotate>("x");
-            const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
+            const PlaneIndices plane = indices_of(plane_of(run.modal[Group::Plane]));
             for (const std::size_t axis : {plane.first, plane.second}) {
                 if (given[kX + axis] || (plan.customs & custom::kCenterAtTool) == 0) continue;
-                center_unknown(function, axis, at);
+                center_unknown(run, function, axis, at);
                 return kFailed;
             }
             steps.rotate_off();
-            steps.rotate(values[kRotation], modal[Group::Plane],
+            steps.rotate(values[kRotation], run.modal[Group::Plane],
                          {values[kX], values[kX + 1], values[kX + 2]});
         }
         return say();
     }
     if (!say()) return kFailed;
-    return emit_rest(plan, instruction, registers, at);
+    return emit_rest(run, plan, instruction, registers, at);
 }
 
+namespace {
+
 /// What a block programs besides the functions whose frame has been written.
-Done Expander::State::emit_rest(const sema::Plan& plan, const Instruction& instruction,
-                                const sema::Slot* registers, std::uint32_t at) {
+Done emit_rest(Running& run, const sema::Plan& plan, const Instruction& instruction,
+               const sema::Slot* registers, std::uint32_t at) {
     sema::Plan rest = plan;
     std::vector<sema::Slot> values(registers + instruction.a,
                                    registers + instruction.a + plan.fillings.size());
@@ -274,41 +300,44 @@ Done Expander::State::emit_rest(const sema::Plan& plan, const Instruction& instr
         of_rest.b = static_cast<decltype(of_rest.b)>(values.size() + 1);
         values.insert(values.end(), registers + instruction.b - 1, registers + instruction.b + 2);
     }
-    return emit_block(rest, of_rest, values.data(), at);
+    return emit_block(run, rest, of_rest, values.data(), at);
 }
 
-Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t at) {
+}  // namespace
+
+Done adapt(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at) {
     const std::uint32_t customs = plan.customs;
-    if ((customs & custom::kFrameDiameter) != 0) scale_frame_x(block, 0.5);
+    if ((customs & custom::kFrameDiameter) != 0) scale_frame_x(run, block, 0.5);
     for (std::size_t i = 0; i < block.function_count; ++i) {
         Invocation& invocation = block.functions[i];
         Done adapted = kDone;
         if ((customs & custom::kFrameOrder) != 0)
-            adapted = require_free_frame(invocation.function, at);
+            adapted = require_free_frame(run, invocation.function, at);
         if ((customs & custom::kCenterAtTool) != 0 && adapted)
-            adapted = complete_center(block, invocation, at);
+            adapted = complete_center(run, block, invocation, at);
         if ((customs & custom::kFeedDeleted) != 0) {
             const Group group = nc::info(invocation.function).group;
-            if (group == Group::FeedMode && modal[group] != invocation.function)
-                modal.is_feed_deleted = true;
+            if (group == Group::FeedMode && run.modal[group] != invocation.function)
+                run.modal.is_feed_deleted = true;
         }
         switch (invocation.function) {
             case Function::Shift:
-                if (adapted && (customs & custom::kShiftKeeps) != 0) adapt_shift(block, invocation);
+                if (adapted && (customs & custom::kShiftKeeps) != 0)
+                    adapt_shift(run, block, invocation);
                 break;
             case Function::CycleReturnInitial:
             case Function::CycleReturnRetract:
-                active_cycle.returns_low = invocation.function == Function::CycleReturnRetract;
+                run.cycle.return_low(invocation.function == Function::CycleReturnRetract);
                 break;
-            case Function::TapRigid: active_cycle.taps_rigidly = true; break;
+            case Function::TapRigid: run.cycle.tap_rigidly(); break;
             case Function::CycleWords:
-                if (adapted) adapted = Done(take_cycle_words(block, invocation, at));
+                if (adapted) adapted = Done(take_cycle_words(run, block, invocation, at));
                 break;
             case Function::MachineCoordinates:
-                if (adapted) adapted = adapt_machine(block, plan, at);
+                if (adapted) adapted = adapt_machine(run, block, plan, at);
                 break;
             case Function::ToolSelect:
-                if (adapted) adapted = take_station(block, invocation, at);
+                if (adapted) adapted = take_station(run, block, invocation, at);
                 break;
             default: break;
         }
@@ -318,17 +347,17 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const Invocation& invocation = block.functions[i];
             if (invocation.function == Function::ToolEdge)
-                modal.is_edge_off = block.argument(invocation, kEdge) == 0;
+                run.modal.is_edge_off = block.argument(invocation, kEdge) == 0;
         }
     }
-    if ((customs & custom::kLengthMoves) != 0 && !target.rules().length_moves_alone &&
-        !names_axes(plan, code.instructions[at])) {
-        const Function lost = name_length_axis(modal, block);
+    if ((customs & custom::kLengthMoves) != 0 && !run.target.rules().length_moves_alone &&
+        !names_axes(plan, run.code.instructions[at])) {
+        const Function lost = name_length_axis(run.modal, block);
         if (lost != Function::None) {
             const bool is_off = lost == Function::LengthCompOff;
-            fault(diag::SourceLengthAlone, at)
+            fault(run, diag::SourceLengthAlone, at)
                 .arg(is_off ? "G49" : "G43")
-                .arg(target.name())
+                .arg(run.target.name())
                 .fix(std::string("say it in a block that moves the axis: `G0 Z… ") +
                      (is_off ? "G49`" : "G43 H…`"));
             return kFailed;
@@ -336,17 +365,17 @@ Done Expander::State::adapt(Block& block, const sema::Plan& plan, std::uint32_t 
     }
     const bool by_tool = (customs & custom::kOffsetsByTool) != 0;
     if ((by_tool || (customs & custom::kEdges) != 0) &&
-        by_tool != target.counts_offsets_by_tool()) {
+        by_tool != run.target.counts_offsets_by_tool()) {
         const Done taken =
-            by_tool ? take_offsets_as_edges(block, at) : take_edges_as_offsets(block, at);
+            by_tool ? take_offsets_as_edges(run, block, at) : take_edges_as_offsets(run, block, at);
         if (!taken) return kFailed;
     }
-    if ((customs & custom::kCoreOffsets) != 0 && !take_core_offsets(block, at)) return kFailed;
-    if ((customs & custom::kDirection) != 0 && !settle_direction(block, at)) return kFailed;
+    if ((customs & custom::kCoreOffsets) != 0 && !take_core_offsets(run, block, at)) return kFailed;
+    if ((customs & custom::kDirection) != 0 && !settle_direction(run, block, at)) return kFailed;
     // Cycles of the source are calls of the library's, so these have nothing to do in the target.
     for (std::size_t i = block.function_count; i-- > 0;) {
         const Function function = block.functions[i].function;
-        const bool is_spent = (customs & custom::kPlaces) != 0 || !target.can_write(function);
+        const bool is_spent = (customs & custom::kPlaces) != 0 || !run.target.can_write(function);
         if (is_cycle_word(function) && is_spent) erase(block, i);
     }
     return kDone;
@@ -358,80 +387,84 @@ static std::string_view word_of_plane(nc::PlaneMask planes) {
     return (planes & nc::bit_of_plane(Function::PlaneZx)) != 0 ? "G18" : "G19";
 }
 
-/// The words of a source mean this block in some planes only: one of them acts.
-Done Expander::State::require_plane_of_source(const sema::Plan& plan, std::uint32_t at) {
-    if ((modal.lost & sema::group_bit(Group::Plane)) != 0)
-        return refuse_lost_state("the plane", "say `G17`, `G18` or `G19`", at);
-    const Function active = modal[Group::Plane];
+Done require_plane_of_source(Running& run, const sema::Plan& plan, std::uint32_t at) {
+    if ((run.modal.lost & sema::group_bit(Group::Plane)) != 0)
+        return refuse_lost_state(run, "the plane", "say `G17`, `G18` or `G19`", at);
+    const Function active = run.modal[Group::Plane];
     if ((plan.planes & nc::bit_of_plane(active)) != 0) return kDone;
     const std::string other(word_of_plane(plan.planes));
-    fault(diag::SourceOtherPlane, at)
+    fault(run, diag::SourceOtherPlane, at)
         .arg(other)
         .arg(word_of_plane(nc::bit_of_plane(active)))
         .fix("say `" + other + "` before it, or write words for the plane that is active");
     return kFailed;
 }
 
+namespace {
+
 /// The function may stand where the present frame acts: the control takes mirror, scale
 /// and rotation in this order, and inside them nothing before them.
-Done Expander::State::require_free_frame(Function function, std::uint32_t at) {
+Done require_free_frame(Running& run, Function function, std::uint32_t at) {
     const bool is_other_plane =
-        nc::info(function).group == Group::Plane && function != modal[Group::Plane];
+        nc::info(function).group == Group::Plane && function != run.modal[Group::Plane];
     const bool of_rotation = nc::has_fact(function, nc::Fact::BeforeRotation) || is_other_plane;
     const bool of_scale = of_rotation && nc::has_fact(function, nc::Fact::ChangesFrame);
     // It replaces the frame of the language, and on the control acts outside of the mirror.
     const bool of_mirror = function == Function::Shift;
-    const control::ProgramFrame& frame = modal.frame;
+    const control::ProgramFrame& frame = run.modal.frame;
     const char* inside = of_rotation && frame.angle_deg != 0 ? "rotation"
                          : of_scale && frame.has_scale()     ? "scale"
                          : of_mirror && frame.has_mirror()   ? "mirror"
                                                              : nullptr;
     if (inside == nullptr) return kDone;
-    fault(diag::SourceFrame, at).arg(nc::info(function).name).arg(inside);
+    fault(run, diag::SourceFrame, at).arg(nc::info(function).name).arg(inside);
     return kFailed;
 }
 
 /// The axes that are not named keep the shift that they have.
-void Expander::State::adapt_shift(Block& block, Invocation& shift) {
+void adapt_shift(Running& run, Block& block, Invocation& shift) {
     if (shift.given == 0) return;
     constexpr std::size_t kX = parameter_of<Function::Shift>("x");
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!shift.has(kX + i) && modal.frame.is_shifted[i])
-            block.set_argument(shift, kX + i, modal.frame.shift[i]);
+        if (!shift.has(kX + i) && run.modal.frame.is_shifted[i])
+            block.set_argument(shift, kX + i, run.modal.frame.shift[i]);
     }
 }
 
 /// Machine coordinates as the control reaches them: at rapid whatever acts, or with the tool
 /// length, which no other control does.
-Done Expander::State::adapt_machine(Block& block, const sema::Plan& plan, std::uint32_t at) {
-    if ((plan.customs & custom::kMachineLength) != 0 && modal.has_tool && !modal.is_edge_off) {
+Done adapt_machine(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at) {
+    if ((plan.customs & custom::kMachineLength) != 0 && run.modal.has_tool &&
+        !run.modal.is_edge_off) {
         const Invocation* edge = block.find(Function::ToolEdge);
         if (edge == nullptr || block.argument(*edge, kEdge) != 0) {
-            fault(diag::SourceMachine, at).fix("switch the tool length off in this block: `D0`");
+            fault(run, diag::SourceMachine, at)
+                .fix("switch the tool length off in this block: `D0`");
             return kFailed;
         }
     }
     if ((plan.customs & custom::kMachineRapid) == 0) return kDone;
-    if (modal[Group::Distance] == Function::Incremental &&
+    if (run.modal[Group::Distance] == Function::Incremental &&
         block.find(Function::Absolute) == nullptr) {
-        fault(diag::StateNeeded, at)
+        fault(run, diag::StateNeeded, at)
             .arg("G53")
             .arg(nc::info(Function::Absolute).name)
             .arg(nc::info(Function::Incremental).name);
         return kFailed;
     }
-    if (modal[Group::Motion] != Function::Rapid || plan.motion != Function::None)
+    if (run.modal[Group::Motion] != Function::Rapid || plan.motion != Function::None)
         block.motion = Function::Rapid;
     return kDone;
 }
 
-/// On the control of the source a work offset acts from the start; the target has another one.
-void Expander::State::say_offset(const sema::Plan& plan, const Instruction& instruction,
-                                 std::uint32_t at) {
+}  // namespace
+
+void say_offset(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                std::uint32_t at) {
     const bool moves = names_axes(plan, instruction);
     // A return that the target does not have goes over its intermediate point with a block of its
     // own.
-    const bool has_return = target.can_write(Function::ReferenceReturn);
+    const bool has_return = run.target.can_write(Function::ReferenceReturn);
     const bool is_elsewhere =
         std::ranges::any_of(plan.functions, [&](const Invocation& invocation) {
             if (invocation.function == Function::ReferenceReturn && !has_return) return false;
@@ -440,145 +473,152 @@ void Expander::State::say_offset(const sema::Plan& plan, const Instruction& inst
         });
     if (!moves || is_elsewhere) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    Block& block = next_block(source);
+    Block& block = next_block(run, source);
     block.set_argument(*block.add(Function::WorkOffset, 1),
-                       parameter_of<Function::WorkOffset>("number"), modal.due_offset);
-    modal.take_block(block, target.rules());
-    if (options.trace) keep_trace(at, instruction.c, source);
+                       parameter_of<Function::WorkOffset>("number"), run.modal.due_offset);
+    run.modal.take_block(block, run.target.rules());
+    if (run.options.trace) keep_trace(run, at, instruction.c, source);
 }
 
+namespace {
+
 /// A centre that is not named is where the tool stands.
-Done Expander::State::complete_center(Block& block, Invocation& invocation, std::uint32_t at) {
+Done complete_center(Running& run, Block& block, Invocation& invocation, std::uint32_t at) {
     const bool is_rotation = invocation.function == Function::Rotate;
     if (!is_rotation && invocation.function != Function::Scale) return kDone;
     constexpr std::size_t kX = parameter_of_all<"x", Function::Rotate, Function::Scale>();
-    const PlaneIndices plane = indices_of(plane_of(modal[Group::Plane]));
+    const PlaneIndices plane = indices_of(plane_of(run.modal[Group::Plane]));
     for (std::size_t i = 0; i < 3; ++i) {
         if (invocation.has(kX + i) || (is_rotation && i == plane.across)) continue;
         // Inside another one the coordinates count otherwise than those of its centre.
-        const bool is_known =
-            (modal.known >> i & 1u) != 0 && modal.frame.angle_deg == 0 && !modal.frame.has_scale();
+        const bool is_known = (run.modal.known >> i & 1u) != 0 && run.modal.frame.angle_deg == 0 &&
+                              !run.modal.frame.has_scale();
         if (is_known) {
-            block.set_argument(invocation, kX + i, modal.position[i]);
+            block.set_argument(invocation, kX + i, run.modal.position[i]);
             continue;
         }
-        center_unknown(invocation.function, i, at);
+        center_unknown(run, invocation.function, i, at);
         return kFailed;
     }
     return kDone;
 }
 
-void Expander::State::center_unknown(Function function, std::size_t axis, std::uint32_t at) {
-    fault(diag::SourceCenter, at)
+void center_unknown(Running& run, Function function, std::size_t axis, std::uint32_t at) {
+    fault(run, diag::SourceCenter, at)
         .arg(nc::info(function).name)
         .arg(kAxisNames[axis])
         .fix("name the centre: `" + std::string(kAxisNames[axis]) + "0.`");
 }
 
-Done Expander::State::check_move(const Block& block, std::uint32_t at) {
+}  // namespace
+
+Done check_move(Running& run, const Block& block, std::uint32_t at) {
     constexpr nc::SlotMask kMoves = nc::kTargetSlots | nc::kCenterSlots;
     if ((block.given & kMoves) == 0 || block.find(Function::MachineCoordinates) != nullptr)
         return kDone;
     // A move without tool length, where the target takes the length with the next move again.
-    if (modal.is_edge_off && !modal.length.has_ended && target.counts_offsets_by_tool()) {
-        fault(diag::SourceOffset, at)
-            .arg(target.name())
+    if (run.modal.is_edge_off && !run.modal.length.has_ended &&
+        run.target.counts_offsets_by_tool()) {
+        fault(run, diag::SourceOffset, at)
+            .arg(run.target.name())
             .arg("a move with the edge")
             .arg("0")
             .fix("say `D1` before it");
         return kFailed;
     }
-    const bool needs_feed =
-        modal[Group::Motion] != Function::Rapid && block.find(Function::ReferenceReturn) == nullptr;
-    if (!modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return kDone;
-    auto builder = fault(diag::SourceFeedDeleted, at);
-    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
-    if (by.is_valid() && by.index < code.statements.size())
-        builder.note(code.statements[by.index], "the kind of feed was changed here");
+    const bool needs_feed = run.modal[Group::Motion] != Function::Rapid &&
+                            block.find(Function::ReferenceReturn) == nullptr;
+    if (!run.modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return kDone;
+    auto builder = fault(run, diag::SourceFeedDeleted, at);
+    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    if (by.is_valid() && by.index < run.code.statements.size())
+        builder.note(run.code.statements[by.index], "the kind of feed was changed here");
     builder.fix("give the block a feed");
     return kFailed;
 }
 
-/// An increment behind a change of the frame: some controls travel the change as well.
-Done Expander::State::adapt_increments(Block& block, const sema::Plan& plan, std::uint32_t at) {
+Done adapt_increments(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at) {
     const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
-    const bool target_travels = target.rules().incremental_frame == nc::IncrementalFrame::Traversed;
-    const bool wants_position = (modal.unplaced & block.given) != 0 &&
-                                target.rules().place_behind_rotation &&
+    const bool target_travels =
+        run.target.rules().incremental_frame == nc::IncrementalFrame::Traversed;
+    const bool wants_position = (run.modal.unplaced & block.given) != 0 &&
+                                run.target.rules().place_behind_rotation &&
                                 block.find(Function::Cycle) == nullptr;
     if (!source_travels && !target_travels && !wants_position) return kDone;
     if (block.find(nc::Fact::AtMachinePosition) != nullptr) return kDone;
     const Drift none;
-    const Drift& of_source = source_travels ? modal.drift : none;
-    const Drift& of_target = target_travels ? modal.text_drift : none;
+    const Drift& of_source = source_travels ? run.modal.drift : none;
+    const Drift& of_target = target_travels ? run.modal.text_drift : none;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        if ((block.given & bit) == 0 || !is_increment(block, bit)) continue;
-        const bool is_known = (modal.known & bit) != 0;
+        if ((block.given & bit) == 0 || !is_increment(run, block, bit)) continue;
+        const bool is_known = (run.modal.known & bit) != 0;
         const bool is_lost = ((of_source.lost | of_target.lost) & bit) != 0;
-        const bool needs_place = wants_position && (modal.unplaced & bit) != 0;
+        const bool needs_place = wants_position && (run.modal.unplaced & bit) != 0;
         const bool travels_alike = source_travels && target_travels &&
                                    of_source.by[i] == of_target.by[i] &&
                                    ((of_source.lost ^ of_target.lost) & bit) == 0;
         if (travels_alike && !needs_place) {
-            modal.position[i] -= of_source.by[i];
-            if (is_lost) modal.known &= static_cast<AxisMask>(~bit);
+            run.modal.position[i] -= of_source.by[i];
+            if (is_lost) run.modal.known &= static_cast<AxisMask>(~bit);
             continue;
         }
         if (is_lost || (needs_place && !is_known)) {
-            fault(diag::IncrementAfterFrame, at)
+            fault(run, diag::IncrementAfterFrame, at)
                 .arg(kAxisNames[i])
-                .arg(target.name())
+                .arg(run.target.name())
                 .fix("name a coordinate of " + std::string(kAxisNames[i]) + " first");
             return kFailed;
         }
         block.values[i] -= of_source.by[i];
         if ((of_target.has & bit) == 0) continue;
-        if (is_known) become_place(block, i);
+        if (is_known) become_place(run, block, i);
         else block.values[i] += of_target.by[i];
     }
-    return !wants_position ? kDone : name_positions(block, at);
+    return !wants_position ? kDone : name_positions(run, block, at);
 }
 
-bool Expander::State::is_increment(const Block& block, nc::SlotMask axis) const {
-    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+namespace {
+
+bool is_increment(const Running& run, const Block& block, nc::SlotMask axis) {
+    const bool is_modal = run.modal[Group::Distance] == Function::Incremental;
     return (block.incremental & axis) != 0 || (is_modal && (block.absolute & axis) == 0);
 }
 
 /// The distance along an axis becomes the coordinate to which it leads.
-void Expander::State::become_place(Block& block, std::size_t axis) const {
+void become_place(const Running& run, Block& block, std::size_t axis) {
     const nc::SlotMask bit = nc::SlotMask{1} << axis;
-    block.values[axis] += modal.position[axis];
+    block.values[axis] += run.modal.position[axis];
     block.incremental &= ~bit;
-    if (modal[Group::Distance] == Function::Incremental) block.absolute |= bit;
+    if (run.modal[Group::Distance] == Function::Incremental) block.absolute |= bit;
 }
 
 /// The first motion behind the beginning or the end of a rotation names coordinates of both axes
 /// that it turns: what the control takes for an axis that is not named depends on a parameter.
 ///
 /// source       F 3.7 G68, G69; No.11600#5 AX1
-Done Expander::State::name_positions(Block& block, std::uint32_t at) {
-    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+Done name_positions(Running& run, Block& block, std::uint32_t at) {
+    const bool is_modal = run.modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        if ((modal.known & bit) == 0) {
+        if ((run.modal.known & bit) == 0) {
             // The block stands under absolute dimensions then: what stays a distance is marked by
             // itself.
-            if (is_modal && (block.given & bit) != 0 && is_increment(block, bit))
+            if (is_modal && (block.given & bit) != 0 && is_increment(run, block, bit))
                 block.incremental |= bit;
-            if ((modal.unplaced & ~block.given & bit) == 0) continue;
+            if ((run.modal.unplaced & ~block.given & bit) == 0) continue;
             const std::string axis(kAxisNames[i]);
-            fault(diag::PlaceBehindRotation, at)
-                .arg(target.name())
+            fault(run, diag::PlaceBehindRotation, at)
+                .arg(run.target.name())
                 .arg(axis)
                 .fix("name a coordinate of " + axis + " in this block");
             return kFailed;
         }
         if ((block.given & bit) != 0) {
-            if (is_increment(block, bit)) become_place(block, i);
-        } else if ((modal.unplaced & bit) != 0) {
-            block.set(static_cast<nc::Slot>(i), modal.position[i]);
-            modal.named_by_text |= static_cast<AxisMask>(bit);
+            if (is_increment(run, block, bit)) become_place(run, block, i);
+        } else if ((run.modal.unplaced & bit) != 0) {
+            block.set(static_cast<nc::Slot>(i), run.modal.position[i]);
+            run.modal.named_by_text |= static_cast<AxisMask>(bit);
             if (is_modal) block.absolute |= bit;
         }
     }
@@ -591,13 +631,14 @@ Done Expander::State::name_positions(Block& block, std::uint32_t at) {
         is_given = true;
     }
     if (!is_given) block.add(Function::Absolute);
-    modal.owes_incremental = true;
+    run.modal.owes_incremental = true;
     return kDone;
 }
 
-/// An arc all of whose words are in `plan` and that names no end.
-bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
-    const Function motion = plan.motion != Function::None ? plan.motion : modal[Group::Motion];
+}  // namespace
+
+bool is_whole_circle(const Running& run, const sema::Plan& plan) {
+    const Function motion = plan.motion != Function::None ? plan.motion : run.modal[Group::Motion];
     nc::SlotMask given = plan.given;
     for (const sema::Filling& filling : plan.fillings) {
         if (!filling.is_argument) given |= nc::SlotMask{1} << filling.index;
@@ -605,39 +646,35 @@ bool Expander::State::is_whole_circle(const sema::Plan& plan) const {
     return nc::is_arc(motion) && (given & nc::kCenterSlots) != 0 && (given & nc::kTargetSlots) == 0;
 }
 
-/// What names no axis as the first motion behind a rotation, a full circle or a cycle, gets a block
-/// before it that does: to where the tool stands already.
-Done Expander::State::write_positions(SourceId source, std::uint32_t at, unsigned depth) {
-    if (!target.rules().place_behind_rotation || !recordings.empty()) return kDone;
-    if (!require_room(at)) return kFailed;
-    Block& block = next_block(source);
+Done write_positions(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
+    if (!run.target.rules().place_behind_rotation || run.recordings.is_open()) return kDone;
+    if (!require_room(run, at)) return kFailed;
+    Block& block = next_block(run, source);
     block.motion = Function::Rapid;
-    if (!name_positions(block, at)) {
-        drop_block(block);
+    if (!name_positions(run, block, at)) {
+        drop_block(run, block);
         return kFailed;
     }
-    modal.take_words(block);
-    modal.restate_motion = true;
-    if (options.trace) keep_trace(at, depth, source);
+    run.modal.take_words(block);
+    run.modal.restate_motion = true;
+    if (run.options.trace) keep_trace(run, at, depth, source);
     return kDone;
 }
 
-/// What stands under incremental dimensions for the program does so for the text again.
-void Expander::State::return_to_increments(Block& block) {
+void return_to_increments(Running& run, Block& block) {
     if ((block.given & (nc::kTargetSlots | nc::kCenterSlots)) == 0) return;
-    modal.owes_incremental = false;
-    if (modal[Group::Distance] == Function::Incremental &&
+    run.modal.owes_incremental = false;
+    if (run.modal[Group::Distance] == Function::Incremental &&
         block.find(Function::Incremental) == nullptr)
         block.add(Function::Incremental);
 }
 
-/// A return to the reference point that goes over no intermediate point, for a target without words
-/// for the motion there.
-void Expander::State::say_reference(Block& block) {
-    if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
+void say_reference(Running& run, Block& block) {
+    if (run.target.can_write(Function::ReferenceReturn) ||
+        !run.target.can_write(Function::ReferencePoint))
         return;
     const nc::SlotMask named = block.given & nc::kTargetSlots;
-    const bool is_modal = modal[Group::Distance] == Function::Incremental;
+    const bool is_modal = run.modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < nc::kSlots; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((named & bit) == 0) continue;
@@ -662,12 +699,11 @@ void Expander::State::say_reference(Block& block) {
     block.absolute &= ~named;
 }
 
-/// A return over an intermediate point, for a target that goes straight: at rapid to that point,
-/// then on.
-void Expander::State::go_over_position(SourceId source) {
-    if (target.can_write(Function::ReferenceReturn) || !target.can_write(Function::ReferencePoint))
+void go_over_position(Running& run, SourceId source) {
+    if (run.target.can_write(Function::ReferenceReturn) ||
+        !run.target.can_write(Function::ReferencePoint))
         return;
-    Block& way = waiting.empty() ? batch[batch_count - 1] : waiting.back();
+    Block& way = run.batch.last();
     const Invocation* found = way.find(Function::ReferenceReturn);
     const nc::SlotMask named = way.given & nc::kTargetSlots;
     if (found == nullptr || named == 0 || named >> 3 != 0) return;
@@ -675,10 +711,10 @@ void Expander::State::go_over_position(SourceId source) {
     erase(way, static_cast<std::size_t>(found - way.functions.data()));
     way.motion = Function::Rapid;
     // The programmed motion is not changed by the return.
-    if (modal[Group::Motion] != Function::Rapid) modal.restate_motion = true;
+    if (run.modal[Group::Motion] != Function::Rapid) run.modal.restate_motion = true;
     const std::int8_t skip_level = way.skip_level;
     const std::uint16_t further_skip_levels = way.further_skip_levels;
-    Block& back = next_block(source);
+    Block& back = next_block(run, source);
     back.skip_level = skip_level;
     back.further_skip_levels = further_skip_levels;
     Invocation* reference = back.add(Function::ReferencePoint, 4);
@@ -686,31 +722,33 @@ void Expander::State::go_over_position(SourceId source) {
     for (std::size_t i = 0; i < 3; ++i) {
         if ((named >> i & 1u) != 0) back.set_argument(*reference, kPointX + i, 0);
     }
-    if (options.trace) traces.push_back(traces.back());
+    if (run.options.trace) run.batch.repeat_origin();
 }
 
+namespace {
+
 /// `T0101`, for a target that selects tools without their offsets: the tool with its own ones.
-Done Expander::State::take_station(Block& block, Invocation& select, std::uint32_t at) {
+Done take_station(Running& run, Block& block, Invocation& select, std::uint32_t at) {
     constexpr std::size_t kOffset = parameter_of<Function::ToolSelect>("offset");
-    if (!select.has(kOffset) || says_offset_with_tool(target.tables())) return kDone;
+    if (!select.has(kOffset) || says_offset_with_tool(run.target.tables())) return kDone;
     const double tool = block.argument(select, kTool);
     const double offset = block.argument(select, kOffset);
     if (offset == tool) {
         become(block, select, Function::Tool, kTool, tool);
         return kDone;
     }
-    const bool is_off = offset == 0 && modal.has_tool_in && modal.tool_in == tool;
-    if (is_off && target.can_write(Function::ToolEdge)) {
+    const bool is_off = offset == 0 && run.modal.has_tool_in && run.modal.tool_in == tool;
+    if (is_off && run.target.can_write(Function::ToolEdge)) {
         become(block, select, Function::ToolEdge, kEdge, 0);
         return kDone;
     }
-    if (is_off && target.can_write(Function::LengthCompOff)) {
+    if (is_off && run.target.can_write(Function::LengthCompOff)) {
         select.function = Function::LengthCompOff;
         select.given = 0;
         return kDone;
     }
-    fault(diag::SourceOffset, at)
-        .arg(target.name())
+    fault(run, diag::SourceOffset, at)
+        .arg(run.target.name())
         .arg("tool " + std::to_string(std::llround(tool)) + " with the offset")
         .arg(std::to_string(std::llround(offset)))
         .fix("give the offset the number of its tool, or say `tool(n)`");
@@ -718,17 +756,17 @@ Done Expander::State::take_station(Block& block, Invocation& select, std::uint32
 }
 
 /// `H3` and `D3` of tool 3 are its first edge.
-Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
+Done take_offsets_as_edges(Running& run, Block& block, std::uint32_t at) {
     // The tool that is in, not one that waits for its change; before the first change the one that
     // was called.
     const Invocation* select = block.find(Function::ToolSelect);
     const bool changes = block.find(Function::ToolChange) != nullptr;
-    const bool is_called = select != nullptr && (changes || !modal.has_tool_in);
-    const bool is_in = !is_called && !changes && modal.has_tool_in;
-    const bool has_tool = is_called || is_in || modal.has_tool;
+    const bool is_called = select != nullptr && (changes || !run.modal.has_tool_in);
+    const bool is_in = !is_called && !changes && run.modal.has_tool_in;
+    const bool has_tool = is_called || is_in || run.modal.has_tool;
     const double tool = is_called ? block.argument(*select, kTool)
-                        : is_in   ? modal.tool_in
-                                  : modal.tool;
+                        : is_in   ? run.modal.tool_in
+                                  : run.modal.tool;
     bool is_given = false;
     for (std::size_t i = 0; i < block.function_count;) {
         Invocation& invocation = block.functions[i];
@@ -741,10 +779,11 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
             ++i;
             continue;
         }
-        const bool acts = !is_other_length || (modal[Group::LengthComp] == Function::LengthCompOn &&
-                                               block.find(nc::Fact::CallsEdge) == nullptr);
+        const bool acts =
+            !is_other_length || (run.modal[Group::LengthComp] == Function::LengthCompOn &&
+                                 block.find(nc::Fact::CallsEdge) == nullptr);
         // An edge that is switched off takes its radius along.
-        const bool is_plain = modal[Group::RadiusComp] == Function::RadiusCompOff ||
+        const bool is_plain = run.modal[Group::RadiusComp] == Function::RadiusCompOff ||
                               block.find(Function::RadiusCompOff) != nullptr;
         static_assert(kLengthOffset == parameter_of<Function::RadiusOffset>("offset"));
         const double number = is_off ? 0 : block.argument(invocation, kLengthOffset, -1);
@@ -753,8 +792,8 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         if (!fits) {
             std::string shown = number < 0 ? "without H" : std::to_string(std::llround(number));
             if (is_off) shown.clear();
-            auto builder = fault(diag::SourceOffset, at);
-            builder.arg(target.name())
+            auto builder = fault(run, diag::SourceOffset, at);
+            builder.arg(run.target.name())
                 .arg(is_length ? "the length offset"
                      : is_off  ? "the end of the length offset"
                                : "the radius offset")
@@ -769,9 +808,9 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
         }
         is_given = true;
         if (!is_radius) {  // what a `with` around it sets back
-            modal.assume(Group::LengthComp,
-                         number == 0 ? Function::LengthCompOff : Function::LengthCompOn);
-            modal.length.offset = number != 0 ? std::optional(number) : std::nullopt;
+            run.modal.assume(Group::LengthComp,
+                             number == 0 ? Function::LengthCompOff : Function::LengthCompOn);
+            run.modal.length.offset = number != 0 ? std::optional(number) : std::nullopt;
         }
         become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);
         ++i;
@@ -779,20 +818,20 @@ Done Expander::State::take_offsets_as_edges(Block& block, std::uint32_t at) {
     return kDone;
 }
 
-/// The common core has the words of both ways: those that the target has not are written in its
-/// own.
-Done Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
-    const bool by_tool = target.counts_offsets_by_tool();
+}  // namespace
+
+Done take_core_offsets(Running& run, Block& block, std::uint32_t at) {
+    const bool by_tool = run.target.counts_offsets_by_tool();
     for (std::size_t i = 0; i < block.function_count; ++i) {
         Invocation& invocation = block.functions[i];
-        if (target.can_write(invocation.function)) continue;
+        if (run.target.can_write(invocation.function)) continue;
         switch (invocation.function) {
             case Function::LengthCompOn:
             case Function::LengthCompOff:
-                if (!by_tool) return take_offsets_as_edges(block, at);
+                if (!by_tool) return take_offsets_as_edges(run, block, at);
                 break;
             case Function::ToolEdge:
-                if (by_tool && !take_edge_as_length(block, invocation, at)) return kFailed;
+                if (by_tool && !take_edge_as_length(run, block, invocation, at)) return kFailed;
                 break;
             default: break;
         }
@@ -800,25 +839,27 @@ Done Expander::State::take_core_offsets(Block& block, std::uint32_t at) {
     return kDone;
 }
 
+namespace {
+
 /// `D1` is the length of the tool that is in, `D0` none.
-Done Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::uint32_t at) {
+Done take_edge_as_length(Running& run, Block& block, Invocation& edge, std::uint32_t at) {
     const double number = block.argument(edge, kEdge);
     const Invocation* select = block.find(Function::ToolSelect);
     const bool changes = block.find(Function::ToolChange) != nullptr;
     // Of a tool that waits for its change the length must not act yet.
-    const bool has_tool =
-        changes ? select != nullptr || modal.has_tool : select == nullptr && modal.has_tool_in;
-    const double tool = !changes            ? modal.tool_in
+    const bool has_tool = changes ? select != nullptr || run.modal.has_tool
+                                  : select == nullptr && run.modal.has_tool_in;
+    const double tool = !changes            ? run.modal.tool_in
                         : select != nullptr ? block.argument(*select, kTool)
-                                            : modal.tool;
+                                            : run.modal.tool;
     if (number == 0) {
         edge.function = Function::LengthCompOff;
         edge.given = 0;
         return kDone;
     }
     if (number != 1 || !has_tool) {
-        fault(diag::SourceOffset, at)
-            .arg(target.name())
+        fault(run, diag::SourceOffset, at)
+            .arg(run.target.name())
             .arg("the edge")
             .arg(std::to_string(std::llround(number)))
             .fix("say `tool(n)`, which makes the length act on every control");
@@ -830,29 +871,30 @@ Done Expander::State::take_edge_as_length(Block& block, Invocation& edge, std::u
 
 /// The first edge acts with the change of its tool; it has the offsets with the tool's number.
 /// `D0` ends its length, and `D1` behind that brings it again; both wait for the next move.
-Done Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
+Done take_edges_as_offsets(Running& run, Block& block, std::uint32_t at) {
     for (std::size_t i = block.function_count; i-- > 0;) {
         if (block.functions[i].function != Function::ToolEdge) continue;
         const double edge = block.argument(block.functions[i], kEdge);
         const bool is_off = edge == 0 && block.find(Function::MachineCoordinates) != nullptr;
         // An edge that is switched off takes its radius along.
-        const bool is_plain = modal[Group::RadiusComp] == Function::RadiusCompOff ||
+        const bool is_plain = run.modal[Group::RadiusComp] == Function::RadiusCompOff ||
                               block.find(Function::RadiusCompOff) != nullptr;
-        if (edge == 0 && !is_off && is_plain && target.can_write(Function::LengthCompOff)) {
+        if (edge == 0 && !is_off && is_plain && run.target.can_write(Function::LengthCompOff)) {
             block.functions[i].function = Function::LengthCompOff;
             block.functions[i].given = 0;
-            modal.length.has_ended = true;
+            run.modal.length.has_ended = true;
             continue;
         }
-        if (edge == 1 && modal.length.has_ended && modal.has_tool_in &&
+        if (edge == 1 && run.modal.length.has_ended && run.modal.has_tool_in &&
             block.find(Function::ToolChange) == nullptr) {
-            become(block, block.functions[i], Function::LengthCompOn, kLengthOffset, modal.tool_in);
-            modal.length.has_ended = false;
+            become(block, block.functions[i], Function::LengthCompOn, kLengthOffset,
+                   run.modal.tool_in);
+            run.modal.length.has_ended = false;
             continue;
         }
         if (edge != 1 && !is_off) {
-            fault(diag::SourceOffset, at)
-                .arg(target.name())
+            fault(run, diag::SourceOffset, at)
+                .arg(run.target.name())
                 .arg("the edge")
                 .arg(std::to_string(std::llround(edge)))
                 .fix("say what the target is to do where it is the target: `G49`, `G43 H…`");
@@ -860,12 +902,12 @@ Done Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
         }
         erase(block, i);
     }
-    if (target.rules().tool_change_activates_length) return kDone;
+    if (run.target.rules().tool_change_activates_length) return kDone;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (block.functions[i].function != Function::ToolChange) continue;
         const Invocation* select = block.find(Function::ToolSelect);
-        if (select == nullptr && !modal.has_tool) return kDone;
-        const double tool = select != nullptr ? block.argument(*select, kTool) : modal.tool;
+        if (select == nullptr && !run.modal.has_tool) return kDone;
+        const double tool = select != nullptr ? block.argument(*select, kTool) : run.modal.tool;
         become(block, block.functions[i], Function::Tool, kTool, tool);
         if (select != nullptr)
             erase(block, static_cast<std::size_t>(select - block.functions.data()));
@@ -873,5 +915,7 @@ Done Expander::State::take_edges_as_offsets(Block& block, std::uint32_t at) {
     }
     return kDone;
 }
+
+}  // namespace
 
 }  // namespace kadr::expand

@@ -1,13 +1,21 @@
 // native_cycles.cpp — cycles of the library that the control has itself.
+#include "expand/native_cycles.h"
+
 #include <algorithm>
 #include <array>
 #include <span>
 
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
+#include "expand/blocks.h"
+#include "expand/cuts.h"
+#include "expand/cycles.h"
+#include "expand/faults.h"
+#include "expand/input.h"
 #include "expand/numbers.h"
 #include "expand/plane.h"
-#include "expand/state.h"
+#include "expand/running.h"
+#include "expand/unknown.h"
 #include "nc/cycle_back.h"
 #include "nc/tables.h"
 
@@ -56,19 +64,27 @@ static Function standing_behind(const sema::Code& code, const sema::FunctionCode
     return stands ? last : Function::None;
 }
 
+namespace {
+
+/// A cycle whose refusal has been reported.
+CycleOutcome failed(Done) { return CycleOutcome::Failed; }
+
 /// Where the cycle leaves the tool.
-void Expander::State::go_back(std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
-                              std::span<const double> values) {
+void go_back(Running& run, std::span<const sema::ParameterInfo> parameters, std::uint32_t given,
+             std::span<const double> values) {
     const nc::CycleBack back = nc::cycle_back(parameters, given);
     if (!back.is_elsewhere) return;
-    const bool has_plane = modal[Group::Plane] != Function::None;
-    if (back.moves_in_plane || !has_plane) modal.known &= static_cast<AxisMask>(~kLinearXYZ);
+    const bool has_plane = run.modal[Group::Plane] != Function::None;
+    if (back.moves_in_plane || !has_plane) run.modal.known &= static_cast<AxisMask>(~kLinearXYZ);
     if (!has_plane) return;
-    const std::size_t across = indices_of(plane_of(modal[Group::Plane])).across;
+    const std::size_t across = indices_of(plane_of(run.modal[Group::Plane])).across;
     const auto axis = static_cast<AxisMask>(1u << across);
-    if (back.level) modal.position[across] = values[*back.level];
-    modal.known = static_cast<AxisMask>(back.level ? modal.known | axis : modal.known & ~axis);
+    if (back.level) run.modal.position[across] = values[*back.level];
+    run.modal.known =
+        static_cast<AxisMask>(back.level ? run.modal.known | axis : run.modal.known & ~axis);
 }
+
+}  // namespace
 
 /// Whether the call is that of a source whose control spares strokes and shifts from a scaling.
 static bool is_spared_by_source(const ActiveCycle& cycle, const sema::Code& code,
@@ -77,59 +93,68 @@ static bool is_spared_by_source(const ActiveCycle& cycle, const sema::Code& code
            call.function == &code.functions[cycle.source->function];
 }
 
+namespace {
+
 /// Strokes and shifts are scaled in the language; a control that spares them gets moves, if its own
 /// program does not write the cycle.
-bool Expander::State::spares_distances(nc::CycleId cycle, std::uint32_t given) const {
-    if (is_spared_by_source(active_cycle, code, frames.back())) return false;
-    const nc::CycleInfo::Roles& roles = target.cycles()[cycle].roles;
+bool spares_distances(const Running& run, nc::CycleId cycle, std::uint32_t given) {
+    if (is_spared_by_source(run.cycle, run.code, run.vm.calls.back())) return false;
+    const nc::CycleInfo::Roles& roles = run.target.cycles()[cycle].roles;
     const auto is_given = [&](int role) { return role >= 0 && (given >> role & 1u) != 0; };
     return (is_given(roles.stroke) || is_given(roles.shift)) &&
-           !target.rules().cycle_distances_scaled;
+           !run.target.rules().cycle_distances_scaled;
 }
 
-void Expander::State::compensated_cycle(const sema::FunctionCode& cycle) {
-    const CallFrame& frame = frames.back();
-    const bool is_called = frames.size() > 1 && frame.return_to > 0;
+}  // namespace
+
+void compensated_cycle(Running& run, const sema::FunctionCode& cycle) {
+    const CallFrame& frame = run.vm.calls.back();
+    const bool is_called = run.vm.calls.size() > 1 && frame.return_to > 0;
     const std::uint32_t at = is_called ? frame.return_to - 1 : 0;
-    DiagnosticBuilder builder = fault_in(diag::CycleUnderCompensation, at, frames.size() - 1);
+    DiagnosticBuilder builder =
+        fault_in(run, diag::CycleUnderCompensation, at, run.vm.calls.size() - 1);
     builder.arg(cycle.name);
-    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
-    if (by.is_valid() && by.index < code.statements.size())
-        builder.note(code.statements[by.index], "the compensation began here");
+    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    if (by.is_valid() && by.index < run.code.statements.size())
+        builder.note(run.code.statements[by.index], "the compensation began here");
     builder.fix("end it before: `G40` with a move");
 }
 
+namespace {
+
 /// A control that has cycles of its own, none of which is known to tap as the call wants.
-void Expander::State::warn_of_tap() {
-    const CallFrame& frame = frames.back();
-    const bool is_called = frames.size() > 1 && frame.return_to > 0;
-    if (!is_called || !target.rules().modal_cycles) return;
+void warn_of_tap(Running& run) {
+    const CallFrame& frame = run.vm.calls.back();
+    const bool is_called = run.vm.calls.size() > 1 && frame.return_to > 0;
+    if (!is_called || !run.target.rules().modal_cycles) return;
     const std::uint32_t at = frame.return_to - 1;
-    if (!reported_at.first_time(NoticeAt::Tap, at)) return;
-    fault_in(diag::TapByMoves, at, frames.size() - 1).arg(frame.function->name);
+    if (!run.reported_at.first_time(NoticeAt::Tap, at)) return;
+    fault_in(run, diag::TapByMoves, at, run.vm.calls.size() - 1).arg(frame.function->name);
 }
 
-Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
-                                                          const sema::Slot* registers) {
-    if (!recordings.empty()) return CycleOutcome::Moves;
-    const CallFrame& frame = frames.back();
-    if (modal.comp_choice != ModalState::kNoChoice && frame.return_to > 0) {
-        compensation_chosen(
-            fault_in(diag::CompensationInDoubt, frame.return_to - 1, frames.size() - 1));
+}  // namespace
+
+CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* registers) {
+    if (run.recordings.is_open()) return CycleOutcome::Moves;
+    const CallFrame& frame = run.vm.calls.back();
+    if (run.modal.comp_choice != ModalState::kNoChoice && frame.return_to > 0) {
+        compensation_chosen(run, fault_in(run, diag::CompensationInDoubt, frame.return_to - 1,
+                                          run.vm.calls.size() - 1));
         return CycleOutcome::Failed;
     }
-    const Function compensation = modal[Group::RadiusComp];
+    const Function compensation = run.modal[Group::RadiusComp];
     if (nc::has_fact(compensation, nc::Fact::CompSide)) {
-        compensated_cycle(*frame.function);
+        compensated_cycle(run, *frame.function);
         return CycleOutcome::Failed;
     }
-    if (!options.native_cycles || modal.tcp == ModalState::Tcp::Length) return CycleOutcome::Moves;
-    if (is_between_positions() && frame.return_to > 0)
-        return failed(refuse_beside_cycle("another cycle", frame.return_to - 1));
+    if (!run.options.native_cycles || run.modal.tcp == ModalState::Tcp::Length)
+        return CycleOutcome::Moves;
+    if (is_between_positions(run) && frame.return_to > 0)
+        return failed(refuse_beside_cycle(run, "another cycle", frame.return_to - 1));
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
     using Kind = sema::ParameterInfo::Kind;
-    const bool is_as_given =
-        !target.rules().cycle_distances_scaled && is_spared_by_source(active_cycle, code, frame);
+    const bool is_as_given = !run.target.rules().cycle_distances_scaled &&
+                             is_spared_by_source(run.cycle, run.code, frame);
     std::uint32_t given = 0;
     std::array<double, nc::kMaxArguments> values{};
     KADR_ASSERT(parameters.size() <= values.size(), "a cycle has more parameters than a block");
@@ -142,8 +167,8 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         if (!is_given) continue;
         given |= 1u << i;
         values[i] = is_number ? slot.number : static_cast<double>(slot.integer);
-        if (kind == Kind::Number && is_as_given && (active_cycle.given >> i & 1u) != 0)
-            values[i] = active_cycle.arguments[i];
+        if (kind == Kind::Number && is_as_given && (run.cycle.given >> i & 1u) != 0)
+            values[i] = run.cycle.arguments[i];
         if (kind != Kind::Feed && kind != Kind::Speed) continue;
         // Cycles of controls know feeds per minute and speeds in revolutions only.
         if (sema::is_second_form(values[i])) return CycleOutcome::Moves;
@@ -151,39 +176,44 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
     }
     const std::span<const double> arguments(values.data(), parameters.size());
     forget_equal_back(parameters, given, values);
-    if (!target.has_native_cycle(cycle, given, arguments, options.refusals)) {
+    if (!run.target.has_native_cycle(cycle, given, arguments, run.options.refusals)) {
         // A call in the control's own words: what it does not give, the control has by itself.
         given &= frame.given;
-        const bool is_programmed = active_cycle.is_running;
-        if (!is_programmed || !target.has_native_cycle(cycle, given, arguments, options.refusals)) {
-            if (turns_spindle(parameters, given, values)) warn_of_tap();
+        const bool is_programmed = run.cycle.is_running;
+        if (!is_programmed ||
+            !run.target.has_native_cycle(cycle, given, arguments, run.options.refusals)) {
+            if (turns_spindle(parameters, given, values)) warn_of_tap(run);
             return CycleOutcome::Moves;
         }
     }
     // Under inverse time F belongs to a block, and a cycle is many.
-    if (modal[Group::FeedMode] == Function::FeedInverseTime) return CycleOutcome::Moves;
-    if (modal.frame.has_scale() && spares_distances(cycle, given)) return CycleOutcome::Moves;
+    if (run.modal[Group::FeedMode] == Function::FeedInverseTime) return CycleOutcome::Moves;
+    if (run.modal.frame.has_scale() && spares_distances(run, cycle, given))
+        return CycleOutcome::Moves;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
-    if (modal.lost != 0 && !require_state_for_cycle(*frame.function, given, at))
+    if (run.modal.lost != 0 && !require_state_for_cycle(run, *frame.function, given, at))
         return CycleOutcome::Failed;
     const bool needs_feed = std::ranges::none_of(parameters, has_feed);
-    if (needs_feed && modal.is_feed_lost) return failed(refuse_lost_feed(at, frames.size() - 1));
-    if (options.warns_of_cuts && is_cut_doubtful() && !turns_spindle(parameters, given, values))
-        warn_of_cut(at, needs_feed);
-    if (has_failed) return CycleOutcome::Failed;
-    if (!require_room(at)) return CycleOutcome::Failed;
-    if (modal.has_ended) warn_after_end(at);
-    const Instruction& call = code.instructions[at];
+    if (needs_feed && run.modal.is_feed_lost)
+        return failed(refuse_lost_feed(run, at, run.vm.calls.size() - 1));
+    if (run.options.warns_of_cuts && is_cut_doubtful(run) &&
+        !turns_spindle(parameters, given, values))
+        warn_of_cut(run, at, needs_feed);
+    if (run.status.has_failed()) return CycleOutcome::Failed;
+    if (!require_room(run, at)) return CycleOutcome::Failed;
+    if (run.modal.has_ended) warn_after_end(run, at);
+    const Instruction& call = run.code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
-    if (modal.diameter_due != Function::None) say_diameter_alone(source, at, frames.size() - 1);
-    if (modal.unplaced != 0 &&
-        !write_positions(source, at, static_cast<unsigned>(frames.size() - 1)))
+    if (run.modal.diameter_due != Function::None)
+        say_diameter_alone(run, source, at, run.vm.calls.size() - 1);
+    if (run.modal.unplaced != 0 &&
+        !write_positions(run, source, at, static_cast<unsigned>(run.vm.calls.size() - 1)))
         return CycleOutcome::Failed;
-    if (modal.restate != 0) say_again_alone(source, at, frames.size() - 1);
-    if (modal.spindle_in_doubt && !turns_spindle(parameters, given, values) &&
-        modal.reported.first_time(ProgramNotice::SpindleInDoubt))
-        warn_of_choice(fault_in(diag::SpindleInDoubt, at, frames.size() - 1));
-    Block& block = next_block(source);
+    if (run.modal.restate != 0) say_again_alone(run, source, at, run.vm.calls.size() - 1);
+    if (run.modal.spindle_in_doubt && !turns_spindle(parameters, given, values) &&
+        run.modal.reported.first_time(ProgramNotice::SpindleInDoubt))
+        warn_of_choice(run, fault_in(run, diag::SpindleInDoubt, at, run.vm.calls.size() - 1));
+    Block& block = next_block(run, source);
     nc::Invocation* invocation = block.add(Function::Cycle, parameters.size());
     KADR_ASSERT(invocation != nullptr, "a cycle has more parameters than a block holds");
     block.cycle = cycle;
@@ -191,35 +221,35 @@ Expander::State::CycleOutcome Expander::State::emit_cycle(nc::CycleId cycle,
         if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
     }
     // The contract of a cycle: it ends where it began, after a move at rapid.
-    modal.assume(Group::Motion, Function::Rapid);
-    modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
-    modal.restate_motion = true;
-    if (const Function left = standing_behind(code, *frame.function); left != Function::None)
-        modal.switch_spindle(left, source);
+    run.modal.assume(Group::Motion, Function::Rapid);
+    run.modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
+    run.modal.restate_motion = true;
+    if (const Function left = standing_behind(run.code, *frame.function); left != Function::None)
+        run.modal.switch_spindle(left, source);
     // The cycle names coordinates of its own; which ones only one that drills in Z shows.
     const bool drills_in_z = std::ranges::any_of(parameters, [&](const sema::ParameterInfo& p) {
         return p.name == "initial" && (given >> (&p - parameters.data()) & 1u) != 0;
     });
-    if (drills_in_z) modal.forget_drift(bit(Axis::Z));
-    else modal.lose_all_drift();
-    const AxisMask before = modal.known;
-    go_back(parameters, given, values);
-    modal.note_lost_positions(before, source, Loss::Control);
+    if (drills_in_z) run.modal.forget_drift(bit(Axis::Z));
+    else run.modal.lose_all_drift();
+    const AxisMask before = run.modal.known;
+    go_back(run, parameters, given, values);
+    run.modal.note_lost_positions(before, source, Loss::Control);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if ((given >> i & 1u) == 0) continue;
         if (parameters[i].name == "initial") {
-            modal.position[2] = values[i];
-            modal.known = static_cast<AxisMask>(modal.known | bit(Axis::Z));
+            run.modal.position[2] = values[i];
+            run.modal.known = static_cast<AxisMask>(run.modal.known | bit(Axis::Z));
         } else if (parameters[i].name == "after") {
-            modal.set_spindle(values[i], source);
+            run.modal.set_spindle(values[i], source);
         }
     }
-    if (options.trace) {
+    if (run.options.trace) {
         // As if the block stood at the call.
-        const CallFrame callee = frames.back();
-        frames.pop();
-        keep_trace(at, call.c, source);
-        frames.push() = callee;
+        const CallFrame callee = run.vm.calls.back();
+        run.vm.calls.pop();
+        keep_trace(run, at, call.c, source);
+        run.vm.calls.push() = callee;
     }
     return CycleOutcome::Block;
 }

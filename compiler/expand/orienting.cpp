@@ -5,13 +5,20 @@
 // others it is a kind of tool length compensation (FANUC's G43.5), inside of which they take
 // little. The language is the same for both: directions are those of the workpiece, and switching
 // moves no axis.
+#include "expand/orienting.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/diagnostics/expand.h"
 #include "base/numbers.h"
+#include "expand/blocks.h"
+#include "expand/faults.h"
+#include "expand/frame_blocks.h"
 #include "expand/numbers.h"
-#include "expand/state.h"
+#include "expand/running.h"
+#include "expand/scopes.h"
+#include "expand/unknown.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -23,6 +30,17 @@ using path::Vec3;
 using Tcp = ModalState::Tcp;
 
 namespace {
+
+ToolTaken tool_taken(Done done) { return done ? ToolTaken::Done : ToolTaken::Failed; }
+
+std::optional<double> length_number(const Running& run);
+Done begin_tcp(Running& run, std::span<const nc::Invocation> said, SourceId source,
+               std::uint32_t at, unsigned depth);
+void say_offset_again(Running& run, SourceId source, std::uint32_t at, unsigned depth);
+Done choose_orient_interpolation(Running& run, nc::Function orientation, SourceId source,
+                                 std::uint32_t at, unsigned depth);
+Done end_tcp(Running& run, SourceId source, std::uint32_t at, unsigned depth);
+Done require_leading_tool(Running& run, std::uint32_t at);
 
 /// Digits behind the point of a unit vector that hold a direction to 1e-7 rad, a tenth of what a
 /// millimetre is off at the end of a long tool.
@@ -75,200 +93,207 @@ Vec3 written(const Vec3& programmed, int digits) {
 
 }  // namespace
 
-/// A block of nothing but one function; what is NaN is not given.
-void Expander::State::put_function(Function function, std::span<const Argument> arguments,
-                                   SourceId source, std::uint32_t at, unsigned depth) {
-    if (has_failed || !require_room(at)) return;
-    Block& block = next_block(source);
+void put_function(Running& run, Function function, std::span<const ArgumentValue> arguments,
+                  SourceId source, std::uint32_t at, unsigned depth) {
+    if (run.status.has_failed() || !require_room(run, at)) return;
+    Block& block = next_block(run, source);
     std::size_t count = 0;
-    for (const Argument& argument : arguments) count = std::max(count, argument.parameter + 1);
+    for (const ArgumentValue& argument : arguments) count = std::max(count, argument.parameter + 1);
     nc::Invocation* invocation = block.add(function, count);
     for (const auto& [parameter, value] : arguments)
         if (value == value) block.set_argument(*invocation, parameter, value);
-    modal.take_block(block, target.rules());
-    if (options.trace) keep_trace(at, depth, source);
+    run.modal.take_block(block, run.target.rules());
+    if (run.options.trace) keep_trace(run, at, depth, source);
 }
 
-/// Tool centre point control, its interpolation and directions, and what must not stand under it.
-Expander::State::ToolTaken Expander::State::take_tool(const sema::Plan& plan,
-                                                      const Instruction& instruction,
-                                                      std::uint32_t at) {
+ToolTaken take_tool(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                    std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     for (const nc::Invocation& invocation : plan.functions) {
         const Function function = invocation.function;
         switch (function) {
             case Function::TcpOn:
-                return tool_taken(begin_tcp(plan.functions, source, at, instruction.c));
-            case Function::TcpOff: return tool_taken(end_tcp(source, at, instruction.c));
+                return tool_taken(begin_tcp(run, plan.functions, source, at, instruction.c));
+            case Function::TcpOff: return tool_taken(end_tcp(run, source, at, instruction.c));
             case Function::OrientGreatCircle:
             case Function::OrientAxes:
-                if (target.can_write(function) || !target.can_write(Function::TcpVector)) break;
-                return tool_taken(choose_orient_interpolation(function, source, at, instruction.c));
+                if (run.target.can_write(function) || !run.target.can_write(Function::TcpVector))
+                    break;
+                return tool_taken(
+                    choose_orient_interpolation(run, function, source, at, instruction.c));
             case Function::ToolVector:
-                if (!require_leading_tool(at)) return ToolTaken::Failed;
+                if (!require_leading_tool(run, at)) return ToolTaken::Failed;
                 break;
             default: break;
         }
         const bool is_outside =
-            modal.tcp != Tcp::Off &&
-            (nc::has_fact(function, nc::Fact::OutsideTcp) ||
-             (modal.tcp == Tcp::Length && (nc::has_fact(function, nc::Fact::AlarmUnderTcpLength) ||
-                                           nc::has_fact(function, nc::Fact::OutsideTcpLength))));
-        if (is_outside) return tool_taken(refuse_under_tcp(nc::info(function).name, at));
+            run.modal.tcp != Tcp::Off && (nc::has_fact(function, nc::Fact::OutsideTcp) ||
+                                          (run.modal.tcp == Tcp::Length &&
+                                           (nc::has_fact(function, nc::Fact::AlarmUnderTcpLength) ||
+                                            nc::has_fact(function, nc::Fact::OutsideTcpLength))));
+        if (is_outside) return tool_taken(refuse_under_tcp(run, nc::info(function).name, at));
     }
-    if (modal.tcp == Tcp::Length && names_rotary(plan))
-        return tool_taken(refuse_under_tcp("a position of a rotary axis", at));
+    if (run.modal.tcp == Tcp::Length && names_rotary(plan))
+        return tool_taken(refuse_under_tcp(run, "a position of a rotary axis", at));
     return ToolTaken::Nothing;
 }
 
-Done Expander::State::refuse_under_tcp(std::string_view what, std::uint32_t at) {
-    DiagnosticBuilder builder = fault(diag::InsideTcp, at);
-    builder.arg(what).arg(target.name());
-    const SourceId by = modal.changed_by[static_cast<std::size_t>(Group::Transformation)];
-    if (by.is_valid() && by.index < code.statements.size())
-        builder.note(code.statements[by.index], "it began here");
+Done refuse_under_tcp(Running& run, std::string_view what, std::uint32_t at) {
+    DiagnosticBuilder builder = fault(run, diag::InsideTcp, at);
+    builder.arg(what).arg(run.target.name());
+    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::Transformation)];
+    if (by.is_valid() && by.index < run.code.statements.size())
+        builder.note(run.code.statements[by.index], "it began here");
     builder.fix("end it before: `tcp(off)`");
     return kFailed;
 }
 
+namespace {
+
 /// Why tool centre point control cannot begin here; empty: it can.
-std::string Expander::State::tcp_hindrance() const {
-    if (modal.tilt != ModalState::PlaneTilt::None) return "inside of a tilted plane";
-    if (nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide))
+std::string tcp_hindrance(const Running& run) {
+    if (run.modal.tilt != ModalState::PlaneTilt::None) return "inside of a tilted plane";
+    if (nc::has_fact(run.modal[Group::RadiusComp], nc::Fact::CompSide))
         return "under cutter radius compensation";
-    if (target.can_write(Function::TcpOn)) return "";
+    if (run.target.can_write(Function::TcpOn)) return "";
     // What follows is of controls to which it is a kind of tool length.
-    const control::ProgramFrame& frame = modal.frame;
+    const control::ProgramFrame& frame = run.modal.frame;
     if (frame.angle_deg != 0 || frame.has_scale() || frame.has_mirror())
         return "inside of a rotation, a scale or a mirror";
-    if (!length_number())
-        return "without a tool, whose length " + std::string(target.name()) + " takes for it";
-    if (modal.is_turned)
-        return "where the rotary axes have turned: " + std::string(target.name()) +
+    if (!length_number(run))
+        return "without a tool, whose length " + std::string(run.target.name()) + " takes for it";
+    if (run.modal.is_turned)
+        return "where the rotary axes have turned: " + std::string(run.target.name()) +
                " counts from how the table lies here, others from position 0";
     return "";
 }
 
 /// The number of the offset that has the tool's length.
-std::optional<double> Expander::State::length_number() const {
-    if (modal[Group::LengthComp] == Function::LengthCompOn && modal.length.offset)
-        return modal.length.offset;
-    if (modal.has_tool_in) return modal.tool_in;
+std::optional<double> length_number(const Running& run) {
+    if (run.modal[Group::LengthComp] == Function::LengthCompOn && run.modal.length.offset)
+        return run.modal.length.offset;
+    if (run.modal.has_tool_in) return run.modal.tool_in;
     return std::nullopt;
 }
 
 /// call         functions of the block; those beside TcpOn choose interpolation and systems
-Done Expander::State::begin_tcp(std::span<const nc::Invocation> call, SourceId source,
-                                std::uint32_t at, unsigned depth) {
-    const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
-    if (modal.tcp != Tcp::Off && !is_lost) return kDone;
-    const bool has_own = target.can_write(Function::TcpOn);
-    if (!has_own && !target.can_write(Function::TcpVector)) {
-        fault(diag::TcpMissing, at).arg(target.name());
+Done begin_tcp(Running& run, std::span<const nc::Invocation> call, SourceId source,
+               std::uint32_t at, unsigned depth) {
+    const bool is_lost = (run.modal.lost & sema::group_bit(Group::Transformation)) != 0;
+    if (run.modal.tcp != Tcp::Off && !is_lost) return kDone;
+    const bool has_own = run.target.can_write(Function::TcpOn);
+    if (!has_own && !run.target.can_write(Function::TcpVector)) {
+        fault(run, diag::TcpMissing, at).arg(run.target.name());
         return kFailed;
     }
-    if (const std::string why = tcp_hindrance(); !why.empty()) {
-        DiagnosticBuilder builder = fault(diag::TcpBegin, at);
+    if (const std::string why = tcp_hindrance(run); !why.empty()) {
+        DiagnosticBuilder builder = fault(run, diag::TcpBegin, at);
         builder.arg(why);
-        if (modal.is_turned && !has_own)
+        if (run.modal.is_turned && !has_own)
             builder.fix("bring the rotary axes to 0 before: `G0 A=0 C=0`");
         return kFailed;
     }
-    Function orientation = modal[Group::OrientInterpolation];
+    Function orientation = run.modal[Group::OrientInterpolation];
     for (const nc::Invocation& invocation : call)
         if (nc::info(invocation.function).group == Group::OrientInterpolation)
             orientation = invocation.function;
     if (has_own) {
-        put_function(Function::TcpOn, {}, source, at, depth);
-        say_offset_again(source, at, depth);
-        if (target.rules().transformation_wants_offset) put_frame_again(source, at, depth);
+        put_function(run, Function::TcpOn, {}, source, at, depth);
+        say_offset_again(run, source, at, depth);
+        if (run.target.rules().transformation_wants_offset) put_frame_again(run, source, at, depth);
         for (const nc::Invocation& invocation : call) {
-            if (invocation.function != Function::TcpOn && target.can_write(invocation.function))
-                put_function(invocation.function, {}, source, at, depth);
+            if (invocation.function != Function::TcpOn && run.target.can_write(invocation.function))
+                put_function(run, invocation.function, {}, source, at, depth);
         }
-        return Done(!has_failed);
+        return Done(!run.status.has_failed());
     }
-    modal.before_tcp = modal[Group::LengthComp];
-    modal.tcp_offset = *length_number();
-    modal.tcp = Tcp::Length;
-    modal.is_inclined = false;
-    modal.assume(Group::Transformation, Function::TcpOn, source);
-    return choose_orient_interpolation(orientation, source, at, depth);
+    run.modal.before_tcp = run.modal[Group::LengthComp];
+    run.modal.tcp_offset = *length_number(run);
+    run.modal.tcp = Tcp::Length;
+    run.modal.is_inclined = false;
+    run.modal.assume(Group::Transformation, Function::TcpOn, source);
+    return choose_orient_interpolation(run, orientation, source, at, depth);
 }
 
 /// Whether the switch takes the work offset off is a matter of the machine: programmed behind it,
 /// it acts on each.
-void Expander::State::say_offset_again(SourceId source, std::uint32_t at, unsigned depth) {
-    if (!target.rules().transformation_wants_offset) return;
-    if ((modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
-    take_offset_of_head(modal);
-    if (modal[Group::WorkOffsets] == Function::None && modal.due_offset == 0) return;
-    const double offset = modal.due_offset != 0 ? modal.due_offset : modal.work_offset;
+void say_offset_again(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
+    if (!run.target.rules().transformation_wants_offset) return;
+    if ((run.modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
+    take_offset_of_head(run, run.modal);
+    if (run.modal[Group::WorkOffsets] == Function::None && run.modal.due_offset == 0) return;
+    const double offset = run.modal.due_offset != 0 ? run.modal.due_offset : run.modal.work_offset;
     constexpr std::size_t kNumber = nc::parameter_of<Function::WorkOffset>("number");
-    put_function(Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
+    put_function(run, Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
 }
 
 /// Great circles or the rotary axes in proportion, on a control that programs it with the length.
-Done Expander::State::choose_orient_interpolation(Function orientation, SourceId source,
-                                                  std::uint32_t at, unsigned depth) {
-    modal.assume(Group::OrientInterpolation, orientation);
-    if (modal.tcp != Tcp::Length) return kDone;
+Done choose_orient_interpolation(Running& run, Function orientation, SourceId source,
+                                 std::uint32_t at, unsigned depth) {
+    run.modal.assume(Group::OrientInterpolation, orientation);
+    if (run.modal.tcp != Tcp::Length) return kDone;
     const double plane = orientation == Function::OrientAxes ? 0 : 1;
     constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
     constexpr std::size_t kPlane = nc::parameter_of<Function::TcpVector>("plane");
-    put_function(Function::TcpVector, {{kOffset, modal.tcp_offset}, {kPlane, plane}}, source, at,
-                 depth);
-    return Done(!has_failed);
+    put_function(run, Function::TcpVector, {{kOffset, run.modal.tcp_offset}, {kPlane, plane}},
+                 source, at, depth);
+    return Done(!run.status.has_failed());
 }
 
 /// No axis moves. A control to which it is a kind of tool length goes over to the plain length: to
 /// end it alone would travel the length towards the part.
-Done Expander::State::end_tcp(SourceId source, std::uint32_t at, unsigned depth) {
-    if (modal.tcp != Tcp::Length) {
-        modal.tcp = Tcp::Off;
-        if (target.can_write(Function::TcpOff))
-            put_function(Function::TcpOff, {}, source, at, depth);
-        return Done(!has_failed);
+Done end_tcp(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
+    if (run.modal.tcp != Tcp::Length) {
+        run.modal.tcp = Tcp::Off;
+        if (run.target.can_write(Function::TcpOff))
+            put_function(run, Function::TcpOff, {}, source, at, depth);
+        return Done(!run.status.has_failed());
     }
-    if (modal.is_inclined) {
-        fault(diag::TcpLeaning, at)
-            .arg(target.name())
+    if (run.modal.is_inclined) {
+        fault(run, diag::TcpLeaning, at)
+            .arg(run.target.name())
             .fix("let it stand along Z before: `orient(k: 1)`");
         return kFailed;
     }
     constexpr std::size_t kOffset = nc::parameter_of<Function::LengthCompOn>("offset");
-    put_function(Function::LengthCompOn, {{kOffset, modal.tcp_offset}}, source, at, depth);
-    modal.tcp = Tcp::Off;
-    modal.assume(Group::LengthComp, modal.before_tcp);
-    modal.assume(Group::Transformation, Function::TcpOff, source);
-    return Done(!has_failed);
+    put_function(run, Function::LengthCompOn, {{kOffset, run.modal.tcp_offset}}, source, at, depth);
+    run.modal.tcp = Tcp::Off;
+    run.modal.assume(Group::LengthComp, run.modal.before_tcp);
+    run.modal.assume(Group::Transformation, Function::TcpOff, source);
+    return Done(!run.status.has_failed());
 }
 
-/// What a `with` found: on or off.
-Done Expander::State::set_back_tcp(const ModalState& before, SourceId source, std::uint32_t at,
-                                   unsigned depth) {
+}  // namespace
+
+Done set_back_tcp(Running& run, const ModalState& before, SourceId source, std::uint32_t at,
+                  unsigned depth) {
     const Function was = before[Group::Transformation];
-    if (was == modal[Group::Transformation] && before.tcp == modal.tcp) return kDone;
+    if (was == run.modal[Group::Transformation] && before.tcp == run.modal.tcp) return kDone;
     if (was == Function::None) {
-        fault(diag::StateUnknown, at).arg(nc::group_name(Group::Transformation));
+        fault(run, diag::StateUnknown, at).arg(nc::group_name(Group::Transformation));
         return kFailed;
     }
-    return before.tcp == Tcp::Off ? end_tcp(source, at, depth) : begin_tcp({}, source, at, depth);
+    return before.tcp == Tcp::Off ? end_tcp(run, source, at, depth)
+                                  : begin_tcp(run, {}, source, at, depth);
 }
 
+namespace {
+
 /// A direction of the tool acts here.
-Done Expander::State::require_leading_tool(std::uint32_t at) {
-    const bool is_lost = (modal.lost & sema::group_bit(Group::Transformation)) != 0;
+Done require_leading_tool(Running& run, std::uint32_t at) {
+    const bool is_lost = (run.modal.lost & sema::group_bit(Group::Transformation)) != 0;
     if (is_lost)
-        return refuse_lost_state("whether tool centre point control acts",
+        return refuse_lost_state(run, "whether tool centre point control acts",
                                  "say `tcp(on)` before it", at);
-    if (modal.tcp != Tcp::Off || modal[Group::LengthComp] == Function::TcpVector) return kDone;
-    fault(diag::OrientAlone, at).fix("say `tcp(on)` before it");
+    if (run.modal.tcp != Tcp::Off || run.modal[Group::LengthComp] == Function::TcpVector)
+        return kDone;
+    fault(run, diag::OrientAlone, at).fix("say `tcp(on)` before it");
     return kFailed;
 }
 
-/// The direction that a block gives, in numbers that the target writes.
-Done Expander::State::settle_direction(Block& block, std::uint32_t at) {
+}  // namespace
+
+Done settle_direction(Running& run, Block& block, std::uint32_t at) {
     constexpr std::size_t kComponent = nc::parameter_of<Function::ToolVector>("component");
     constexpr std::size_t kValue = nc::parameter_of<Function::ToolVector>("value");
     const auto each = [&](const auto& act) {
@@ -284,37 +309,36 @@ Done Expander::State::settle_direction(Block& block, std::uint32_t at) {
         programmed[i] = block.argument(part, kValue);
     });
     if (programmed.norm() < kRounding) {
-        fault(diag::OrientZero, at);
+        fault(run, diag::OrientZero, at);
         return kFailed;
     }
-    const Vec3 direction = written(programmed, digits_of(target.tables()));
+    const Vec3 direction = written(programmed, digits_of(run.target.tables()));
     each([&](nc::Invocation& part, Eigen::Index i) {
         block.set_argument(part, kValue, direction[i]);
     });
     const double aside = std::hypot(direction.x(), direction.y());
-    modal.is_inclined = !(direction.z() > 0) || aside > kRounding * direction.z();
-    modal.is_turned = true;
-    modal.known &= static_cast<AxisMask>(~kRotary);
-    if (modal.restate_motion && block.motion == Function::None) {
-        block.motion = modal[Group::Motion];
-        modal.restate_motion = false;
+    run.modal.is_inclined = !(direction.z() > 0) || aside > kRounding * direction.z();
+    run.modal.is_turned = true;
+    run.modal.known &= static_cast<AxisMask>(~kRotary);
+    if (run.modal.restate_motion && block.motion == Function::None) {
+        block.motion = run.modal[Group::Motion];
+        run.modal.restate_motion = false;
     }
     return kDone;
 }
 
-/// The motion of a block may stand under tool centre point control.
-Done Expander::State::check_leading(const Block& block, std::uint32_t at) {
-    const Function motion = modal[Group::Motion];
+Done check_leading(Running& run, const Block& block, std::uint32_t at) {
+    const Function motion = run.modal[Group::Motion];
     if (motion == Function::None || nc::has_fact(motion, nc::Fact::Straight)) return kDone;
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0;
     if (!moves && block.find(Function::ToolVector) != nullptr) {
-        fault(diag::OrientMotion, at).arg(nc::info(motion).name);
+        fault(run, diag::OrientMotion, at).arg(nc::info(motion).name);
         return kFailed;
     }
-    if (!moves || modal.tcp != Tcp::Length) return kDone;
-    fault(diag::TcpMotion, at)
+    if (!moves || run.modal.tcp != Tcp::Length) return kDone;
+    fault(run, diag::TcpMotion, at)
         .arg(nc::info(motion).name)
-        .arg(target.name())
+        .arg(run.target.name())
         .fix("lines within a tolerance: `follow(…, tolerance: 5um, arcs: false)` of a curve");
     return kFailed;
 }

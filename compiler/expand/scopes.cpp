@@ -1,11 +1,20 @@
 // scopes.cpp — what `with` sets back, what a cycle needs and preserves, and its cutter.
 
+#include "expand/scopes.h"
+
 #include <cmath>
 #include <string>
 
 #include "base/diagnostics/expand.h"
+#include "expand/blocks.h"
 #include "expand/cutters.h"
-#include "expand/state.h"
+#include "expand/faults.h"
+#include "expand/frame_blocks.h"
+#include "expand/input.h"
+#include "expand/native_cycles.h"
+#include "expand/orienting.h"
+#include "expand/running.h"
+#include "expand/unknown.h"
 #include "nc/program_head.h"
 #include "nc/tables.h"
 
@@ -15,45 +24,42 @@ using nc::Block;
 using nc::Function;
 using nc::Group;
 
-Done Expander::State::leave_with(SourceId source, std::uint32_t at, unsigned depth) {
-    const OpenWith scope = withs.back();
-    withs.pop_back();
-    return set_back(scope, source, at, depth);
+Done leave_with(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
+    return set_back(run, run.scopes.end_with(), source, at, depth);
 }
 
-/// Where no work offset is programmed, that of the text's head acts.
-void Expander::State::take_offset_of_head(ModalState& state) const {
+void take_offset_of_head(const Running& run, ModalState& state) {
     const bool is_lost = (state.lost & sema::group_bit(Group::WorkOffsets)) != 0;
     if (is_lost || state[Group::WorkOffsets] != Function::None || state.due_offset != 0) return;
-    const std::optional<int> offset = nc::offset_of_head(target);
+    const std::optional<int> offset = nc::offset_of_head(run.target);
     if (!offset) return;
     state.assume(Group::WorkOffsets, Function::WorkOffset);
     state.work_offset = *offset;
 }
 
-Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint32_t at,
-                               unsigned depth) {
+Done set_back(Running& run, const OpenWith& scope, SourceId source, std::uint32_t at,
+              unsigned depth) {
     ModalState before = scope.before;
-    take_offset_of_head(before);
+    take_offset_of_head(run, before);
     const sema::ModalMask transformation = sema::group_bit(Group::Transformation);
-    if ((scope.mask & transformation) != 0 && !set_back_tcp(before, source, at, depth))
+    if ((scope.mask & transformation) != 0 && !set_back_tcp(run, before, source, at, depth))
         return kFailed;
     if ((scope.mask & sema::kFrameBit) != 0) {
-        if (modal.tcp == ModalState::Tcp::Length && !(before.frame == modal.frame))
-            return refuse_under_tcp("the end of a frame", at);
-        write_frame(before.frame, source, at, depth);
-        if (has_failed) return kFailed;
-        modal.steps = before.steps;
+        if (run.modal.tcp == ModalState::Tcp::Length && !(before.frame == run.modal.frame))
+            return refuse_under_tcp(run, "the end of a frame", at);
+        write_frame(run, before.frame, source, at, depth);
+        if (run.status.has_failed()) return kFailed;
+        run.modal.steps = before.steps;
     }
     // Another feed mode forgets F, so F goes back with it.
     sema::ModalMask mask = scope.mask & ~transformation;
     if ((mask & sema::group_bit(Group::FeedMode)) != 0) mask |= sema::kFeedBit;
     if ((mask & sema::group_bit(Group::SpeedMode)) != 0) mask |= sema::kSpeedBit;
-    const sema::ModalMask changed = difference(before, modal, mask) & ~sema::kFrameBit;
+    const sema::ModalMask changed = difference(before, run.modal, mask) & ~sema::kFrameBit;
     if (changed == 0) return kDone;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((changed >> i & 1u) == 0 || before[static_cast<Group>(i)] != Function::None) continue;
-        fault(diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
+        fault(run, diag::StateUnknown, at).arg(nc::group_name(static_cast<Group>(i)));
         return kFailed;
     }
     // Behind a `with` that set the first F there is none, and none there is behind this one.
@@ -61,10 +67,10 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     const sema::ModalMask values =
         changed & before.lost & ~no_value & (sema::kFeedBit | sema::kSpeedBit);
     if (values != 0) {
-        fault(diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
+        fault(run, diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
         return kFailed;
     }
-    if ((changed & sema::kFeedBit) != 0 && !before.has_feed) modal.forget_feed(source);
+    if ((changed & sema::kFeedBit) != 0 && !before.has_feed) run.modal.forget_feed(source);
     // The same number means something else in another mode, so it goes back with the mode.
     const sema::ModalMask of_feed = sema::kFeedBit | sema::group_bit(Group::FeedMode);
     const sema::ModalMask of_speed = sema::kSpeedBit | sema::group_bit(Group::SpeedMode);
@@ -72,8 +78,8 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     const bool speed = (changed & of_speed) != 0 && before.has_speed;
     const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
     if (!groups && !feed && !speed) return kDone;
-    if (!require_room(at)) return kFailed;
-    Block& block = next_block(source);
+    if (!require_room(run, at)) return kFailed;
+    Block& block = next_block(run, source);
     block.length_waits = true;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((changed >> i & 1u) == 0) continue;
@@ -95,10 +101,10 @@ Done Expander::State::set_back(const OpenWith& scope, SourceId source, std::uint
     }
     if (feed) block.set(nc::Slot::Feed, before.feed);
     if (speed) block.set(nc::Slot::Speed, before.speed);
-    if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(block, at))
+    if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(run, block, at))
         return kFailed;
-    modal.take_block(block, target.rules());
-    if (options.trace) keep_trace(at, depth, source);
+    run.modal.take_block(block, run.target.rules());
+    if (run.options.trace) keep_trace(run, at, depth, source);
     return kDone;
 }
 
@@ -137,55 +143,56 @@ std::string lost_needs(const sema::FunctionCode& cycle, sema::ModalMask lost) {
 
 }  // namespace
 
-/// What a cycle preserves it also relies on: `preserves G90` called under G91 would work with
-/// distances where its author wrote coordinates.
-Done Expander::State::check_needs(std::uint32_t at) {
-    const CallFrame& frame = frames.back();
+Done check_needs(Running& run, std::uint32_t at) {
+    const CallFrame& frame = run.vm.calls.back();
     for (const Function needed : frame.function->needs) {
-        const Function active = modal[nc::info(needed).group];
-        const bool is_lost = (modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
+        const Function active = run.modal[nc::info(needed).group];
+        const bool is_lost = (run.modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
         // Where the control knows it by itself, X is a diameter without a word.
-        const bool is_other = needed == Function::DiameterOff && modal.is_diameter;
+        const bool is_other = needed == Function::DiameterOff && run.modal.is_diameter;
         if (active == needed || (active == Function::None && !is_lost && !is_other)) continue;
         if (needed == Function::RadiusCompOff && !is_lost) {
-            compensated_cycle(*frame.function);
+            compensated_cycle(run, *frame.function);
             return kFailed;
         }
-        const bool is_called = frames.size() > 1 && frame.return_to > 0;
+        const bool is_called = run.vm.calls.size() > 1 && frame.return_to > 0;
         if (is_lost) {
-            const std::string words = lost_needs(*frame.function, modal.lost);
-            report_loss(is_called
-                            ? fault_in(diag::StateLost, frame.return_to - 1, frames.size() - 1)
-                            : fault(diag::StateLost, at),
+            const std::string words = lost_needs(*frame.function, run.modal.lost);
+            report_loss(run,
+                        is_called ? fault_in(run, diag::StateLost, frame.return_to - 1,
+                                             run.vm.calls.size() - 1)
+                                  : fault(run, diag::StateLost, at),
                         "whether `" + words + "` acts, as `" + frame.function->name + "` needs,",
                         "say `" + words + "` before it");
             return kFailed;
         }
         DiagnosticBuilder builder =
-            is_called ? fault_in(diag::StateNeeded, frame.return_to - 1, frames.size() - 1)
-                      : fault(diag::StateNeeded, at);
+            is_called
+                ? fault_in(run, diag::StateNeeded, frame.return_to - 1, run.vm.calls.size() - 1)
+                : fault(run, diag::StateNeeded, at);
         builder.arg(frame.function->name)
             .arg(word_of_need(needed))
             .arg(word_of_need(active == Function::None ? Function::DiameterOn : active));
-        const SourceId by = modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
-        if (by.is_valid() && by.index < code.statements.size()) {
-            builder.note(code.statements[by.index], "it was changed here last");
+        const SourceId by = run.modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
+        if (by.is_valid() && by.index < run.code.statements.size()) {
+            builder.note(run.code.statements[by.index], "it was changed here last");
         }
         return kFailed;
     }
     // The cutter that the call names is the one that the machine has; where only the text is made,
     // another one is a warning.
-    if (!modal.has_tool_in || frames.size() < 2 || frame.return_to == 0 || !options.machine ||
-        !options.checks_cutters || !has_cutter(*frame.function))
+    if (!run.modal.has_tool_in || run.vm.calls.size() < 2 || frame.return_to == 0 ||
+        !run.options.machine || !run.options.checks_cutters || !has_cutter(*frame.function))
         return kDone;
-    const machine::Machine* machine = options.machine();
+    const machine::Machine* machine = run.options.machine();
     if (machine == nullptr) return kDone;
-    const auto tool = static_cast<std::int64_t>(std::llround(modal.tool_in));
-    const auto other = cutter_mismatch(*frame.function, stack.data() + frame.base, *machine, tool);
+    const auto tool = static_cast<std::int64_t>(std::llround(run.modal.tool_in));
+    const auto other =
+        cutter_mismatch(*frame.function, run.vm.stack.data() + frame.base, *machine, tool);
     if (!other) return kDone;
-    const bool is_warning = options.warns_of_cuts;
-    fault_in(is_warning ? diag::CutterDiffers : diag::CutterContradicts, frame.return_to - 1,
-             frames.size() - 1)
+    const bool is_warning = run.options.warns_of_cuts;
+    fault_in(run, is_warning ? diag::CutterDiffers : diag::CutterContradicts, frame.return_to - 1,
+             run.vm.calls.size() - 1)
         .arg(other->parameter)
         .arg(other->said)
         .arg(tool)
@@ -193,26 +200,26 @@ Done Expander::State::check_needs(std::uint32_t at) {
     return Done(is_warning);
 }
 
-Done Expander::State::check_preserves(std::uint32_t at) {
-    const OpenWith& promise = promises.back();
-    if (modal.lost != 0 && !keep_promise(promise, at)) return kFailed;
-    const sema::ModalMask broken = difference(promise.before, modal, promise.mask);
+Done check_preserves(Running& run, std::uint32_t at) {
+    const OpenWith& promise = run.scopes.last_promise();
+    if (run.modal.lost != 0 && !keep_promise(run, promise, at)) return kFailed;
+    const sema::ModalMask broken = difference(promise.before, run.modal, promise.mask);
     if (broken == 0) return kDone;
     const auto report = [&](std::string_view what, SourceId by) {
-        DiagnosticBuilder builder = fault(diag::PromiseBroken, at);
-        builder.arg(frames.back().function->name).arg(what);
-        if (by.is_valid() && by.index < code.statements.size()) {
-            builder.note(code.statements[by.index], "it was changed here last");
+        DiagnosticBuilder builder = fault(run, diag::PromiseBroken, at);
+        builder.arg(run.vm.calls.back().function->name).arg(what);
+        if (by.is_valid() && by.index < run.code.statements.size()) {
+            builder.note(run.code.statements[by.index], "it was changed here last");
         }
     };
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((broken >> i & 1u) == 0) continue;
-        report(nc::group_name(static_cast<Group>(i)), modal.changed_by[i]);
+        report(nc::group_name(static_cast<Group>(i)), run.modal.changed_by[i]);
         return kFailed;
     }
-    if ((broken & sema::kFrameBit) != 0) report("the frames", modal.frame_by);
-    else if ((broken & sema::kFeedBit) != 0) report("F", modal.feed_by);
-    else report("S", modal.speed_by);
+    if ((broken & sema::kFrameBit) != 0) report("the frames", run.modal.frame_by);
+    else if ((broken & sema::kFeedBit) != 0) report("F", run.modal.feed_by);
+    else report("S", run.modal.speed_by);
     return kFailed;
 }
 

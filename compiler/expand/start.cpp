@@ -1,4 +1,6 @@
 // start.cpp — which program runs, and with which parameters.
+#include "expand/start.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -6,7 +8,8 @@
 #include "base/diagnostics/expand.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "expand/state.h"
+#include "expand/contours.h"
+#include "expand/running.h"
 
 namespace kadr::expand {
 
@@ -16,7 +19,7 @@ using sema::ParameterInfo;
 
 namespace {
 
-constexpr std::size_t kFirstStack = 16384;
+constexpr std::size_t kFirstStack = 16384;  // registers
 
 std::string_view trim(std::string_view text) {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -54,28 +57,10 @@ std::string from_command_line(std::string_view name, std::string_view value) {
     return "it is set by the option `-D " + std::string(name) + '=' + std::string(value) + '`';
 }
 
-}  // namespace
-
-Expander::State::State(const sema::Code& program, const nc::Dialect& dialect,
-                       const ExpandOptions& wanted, DiagnosticSink& messages)
-    : code(program),
-      target(dialect),
-      options(wanted),
-      sink(messages),
-      heap(program, {wanted.limits.array_elements, wanted.limits.heap_bytes}) {
-    turns_reserve = std::max<std::uint64_t>(options.limits.loop_turns, 1);
-    blocks_left = options.limits.blocks;
-    all_given.reserve(code.functions.size());
-    for (const FunctionCode& function : code.functions) {
-        const std::size_t count = function.parameters.size();
-        all_given.push_back(count >= 32 ? ~0u : (1u << count) - 1u);
-    }
-}
-
-const FunctionCode* Expander::State::find_program(std::string_view name) {
+const FunctionCode* find_program(Running& run, std::string_view name) {
     std::vector<std::string_view> names;
     const FunctionCode* first = nullptr;
-    for (const FunctionCode& function : code.functions) {
+    for (const FunctionCode& function : run.code.functions) {
         if (function.kind != FunctionKind::Program || !function.is_main_file) continue;
         if (!name.empty() && function.name == name) return &function;
         names.push_back(function.name);
@@ -83,12 +68,12 @@ const FunctionCode* Expander::State::find_program(std::string_view name) {
     }
     if (name.empty() && names.size() == 1) return first;
     if (names.empty()) {
-        DiagnosticBuilder builder = sink.report(diag::NoProgram, {code.main_file, 0, 0});
+        DiagnosticBuilder builder = run.sink.report(diag::NoProgram, {run.code.main_file, 0, 0});
         const auto callable = std::find_if(
-            code.functions.begin(), code.functions.end(), [](const FunctionCode& function) {
+            run.code.functions.begin(), run.code.functions.end(), [](const FunctionCode& function) {
                 return function.is_main_file && function.kind == FunctionKind::Cycle;
             });
-        if (callable != code.functions.end()) {
+        if (callable != run.code.functions.end()) {
             builder.fix("call it from one: `program main() { " + callable->name + "(…); }`");
         }
         return nullptr;
@@ -99,41 +84,51 @@ const FunctionCode* Expander::State::find_program(std::string_view name) {
         all += other;
     }
     if (name.empty()) {
-        sink.report(diag::ProgramChoice, {code.main_file, 0, 0})
+        run.sink.report(diag::ProgramChoice, {run.code.main_file, 0, 0})
             .arg(all)
             .fix("name one: `--program " + std::string(names[0]) + '`');
         return nullptr;
     }
-    DiagnosticBuilder builder = sink.report(diag::UnknownProgram);
+    DiagnosticBuilder builder = run.sink.report(diag::UnknownProgram);
     builder.arg(name);
     builder.note("it is asked for by the option `--program`");
     builder.note("the file has: " + all);
     return nullptr;
 }
 
-void Expander::State::enter(const FunctionCode& function, std::uint32_t given) {
-    const std::size_t number = static_cast<std::size_t>(&function - code.functions.data());
-    CallFrame& program = frames.push();
-    program = {};
-    program.function = &function;
-    program.base = code.globals;
-    program.given = given;
-    // The globals get their values first; their return goes on at the program's entry.
-    const FunctionCode& startup = code.functions[0];
-    CallFrame& first = frames.push();
-    first = {};
-    first.function = &startup;
-    first.base = code.globals + function.registers;
-    first.return_to = given == all_given[number] ? function.body : function.entry;
-    pc = startup.entry;
-    is_running = true;
+}  // namespace
+
+void prepare(Running& run, const FunctionCode& function) {
+    run.vm.reserve_stack(std::max(kFirstStack, std::size_t{run.code.globals} + function.registers +
+                                                   run.code.functions[0].registers + 16));
+    run.modal = ModalState::at_start(function);
+    if (run.target.power_on(nc::Group::Diameter) == nc::Function::DiameterOn)
+        run.modal.is_diameter = true;
 }
 
-Done Expander::State::set_parameter(const FunctionCode& function, const ParameterInfo& parameter,
-                                    const std::string& text, Slot& slot) {
+void enter(Running& run, const FunctionCode& function, std::uint32_t given) {
+    const std::size_t number = static_cast<std::size_t>(&function - run.code.functions.data());
+    CallFrame& program = run.vm.calls.push();
+    program = {};
+    program.function = &function;
+    program.base = run.code.globals;
+    program.given = given;
+    // The globals get their values first; their return goes on at the program's entry.
+    const FunctionCode& startup = run.code.functions[0];
+    CallFrame& first = run.vm.calls.push();
+    first = {};
+    first.function = &startup;
+    first.base = run.code.globals + function.registers;
+    first.return_to = given == run.vm.all_given[number] ? function.body : function.entry;
+    run.vm.pc = startup.entry;
+    run.status.begin();
+}
+
+Done set_parameter(Running& run, const FunctionCode& function, const ParameterInfo& parameter,
+                   const std::string& text, Slot& slot) {
     const std::string_view value = trim(text);
     const auto wrong = [&](const std::string& wanted) {
-        sink.report(diag::DefineValue)
+        run.sink.report(diag::DefineValue)
             .arg(parameter.name)
             .arg(wanted)
             .arg(value)
@@ -143,13 +138,13 @@ Done Expander::State::set_parameter(const FunctionCode& function, const Paramete
     };
     switch (parameter.kind) {
         case ParameterInfo::Kind::Bool:
-            if (value == code.true_word || value == "true" || value == "yes" || value == "1") {
+            if (value == run.code.true_word || value == "true" || value == "yes" || value == "1") {
                 slot.integer = 1;
-            } else if (value == code.false_word || value == "false" || value == "no" ||
+            } else if (value == run.code.false_word || value == "false" || value == "no" ||
                        value == "0") {
                 slot.integer = 0;
             } else {
-                return wrong(code.true_word + " or " + code.false_word);
+                return wrong(run.code.true_word + " or " + run.code.false_word);
             }
             return kDone;
         case ParameterInfo::Kind::Integer: {
@@ -171,10 +166,10 @@ Done Expander::State::set_parameter(const FunctionCode& function, const Paramete
             slot.number = *number;
             return kDone;
         }
-        case ParameterInfo::Kind::Text: slot.integer = heap.new_text(text); return kDone;
+        case ParameterInfo::Kind::Text: slot.integer = run.vm.heap.new_text(text); return kDone;
         case ParameterInfo::Kind::Enum: {
             std::string all;
-            for (const auto& [name, member] : code.enums[parameter.enumeration].members) {
+            for (const auto& [name, member] : run.code.enums[parameter.enumeration].members) {
                 if (name == value) {
                     slot.integer = member;
                     return kDone;
@@ -187,7 +182,7 @@ Done Expander::State::set_parameter(const FunctionCode& function, const Paramete
         case ParameterInfo::Kind::Contour:
         case ParameterInfo::Kind::Other: break;
     }
-    sink.report(diag::DefineType)
+    run.sink.report(diag::DefineType)
         .arg(parameter.name)
         .arg(parameter.type_name)
         .note(from_command_line(parameter.name, text))
@@ -195,15 +190,13 @@ Done Expander::State::set_parameter(const FunctionCode& function, const Paramete
     return kFailed;
 }
 
-Done Expander::State::start(std::string_view name, const std::vector<sema::Define>& defines) {
-    has_failed = true;
-    const FunctionCode* function = find_program(name);
+Done start(Running& run, std::string_view name, const std::vector<sema::Define>& defines) {
+    run.status.note_failure();
+    const FunctionCode* function = find_program(run, name);
     if (function == nullptr) return kFailed;
-    reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function->registers +
-                                            code.functions[0].registers + 16));
-    modal = first_state(*function);
-    if (function->work_offset != target.first_work_offset())
-        modal.due_offset = function->work_offset;
+    prepare(run, *function);
+    if (function->work_offset != run.target.first_work_offset())
+        run.modal.due_offset = function->work_offset;
     bool is_good = true;
     std::uint32_t given = 0;
     for (const sema::Define& define : defines) {
@@ -211,7 +204,7 @@ Done Expander::State::start(std::string_view name, const std::vector<sema::Defin
             std::find_if(function->parameters.begin(), function->parameters.end(),
                          [&](const ParameterInfo& p) { return p.name == define.name; });
         if (found == function->parameters.end()) {
-            DiagnosticBuilder builder = sink.report(diag::DefineUnknown);
+            DiagnosticBuilder builder = run.sink.report(diag::DefineUnknown);
             builder.arg(function->name).arg(define.name);
             std::vector<std::string_view> names;
             for (const ParameterInfo& parameter : function->parameters)
@@ -226,19 +219,20 @@ Done Expander::State::start(std::string_view name, const std::vector<sema::Defin
         }
         const auto index = static_cast<unsigned>(found - function->parameters.begin());
         if ((given >> index & 1u) != 0) {
-            sink.report(diag::DefineTwice)
+            run.sink.report(diag::DefineTwice)
                 .arg(define.name)
                 .note(from_command_line(define.name, define.value));
             is_good = false;
         }
         given |= 1u << index;
-        if (!set_parameter(*function, *found, define.value, stack[code.globals + found->slot]))
+        if (!set_parameter(run, *function, *found, define.value,
+                           run.vm.stack[run.code.globals + found->slot]))
             is_good = false;
     }
     for (std::size_t i = 0; i < function->parameters.size(); ++i) {
         const ParameterInfo& parameter = function->parameters[i];
         if (parameter.has_default || (given >> i & 1u) != 0) continue;
-        sink.report(diag::DefineMissing, parameter.range)
+        run.sink.report(diag::DefineMissing, parameter.range)
             .arg(function->name)
             .arg(parameter.name)
             .fix(parameter.kind == ParameterInfo::Kind::Other ||
@@ -248,13 +242,11 @@ Done Expander::State::start(std::string_view name, const std::vector<sema::Defin
         is_good = false;
     }
     if (!is_good) return kFailed;
-    has_failed = false;
-    enter(*function, given);
+    enter(run, *function, given);
     return kDone;
 }
 
-/// An argument of a cycle as a block has it (mm, degrees, s, rpm). False: it is no number.
-bool Expander::State::set_number(const ParameterInfo& parameter, double value, Slot& slot) {
+bool set_number(const ParameterInfo& parameter, double value, Slot& slot) {
     switch (parameter.kind) {
         case ParameterInfo::Kind::Number: slot.number = value; return true;
         case ParameterInfo::Kind::Feed:
@@ -271,60 +263,52 @@ bool Expander::State::set_number(const ParameterInfo& parameter, double value, S
     return false;
 }
 
-ModalState Expander::State::first_state(const FunctionCode& function) const {
-    ModalState state = ModalState::at_start(function);
-    if (target.power_on(nc::Group::Diameter) == nc::Function::DiameterOn) state.is_diameter = true;
-    return state;
-}
-
-Done Expander::State::start_cycle(std::string_view name, std::span<const double> arguments,
-                                  std::uint32_t given, const Surroundings& at) {
-    has_failed = true;
-    const auto found =
-        std::find_if(code.functions.begin(), code.functions.end(), [&](const FunctionCode& f) {
+Done start_cycle(Running& run, std::string_view name, std::span<const double> arguments,
+                 std::uint32_t given, const Expander::Surroundings& at) {
+    run.status.note_failure();
+    const auto found = std::find_if(
+        run.code.functions.begin(), run.code.functions.end(), [&](const FunctionCode& f) {
             return f.kind == FunctionKind::Cycle && f.name == name && f.end > f.entry;
         });
-    if (found == code.functions.end()) {
-        sink.report(diag::UnknownCycle).arg(name);
+    if (found == run.code.functions.end()) {
+        run.sink.report(diag::UnknownCycle).arg(name);
         return kFailed;
     }
     const FunctionCode& function = *found;
-    reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
-                                            code.functions[0].registers + 16));
-    options.native_cycles = false;  // this is the body of a native one
-    modal = first_state(function);
+    prepare(run, function);
+    run.options.native_cycles = false;  // this is the body of a native one
     // Whether X is a diameter the program has set that calls it; a cycle that needs diameters
     // where it has set radii begins with that.
-    const bool turns = modal.diameter_due != nc::Function::None;
+    const bool turns = run.modal.diameter_due != nc::Function::None;
     const bool needs_diameter = turns && !at.x_is_diameter;
-    modal.assume(nc::Group::Diameter, nc::Function::None);
-    modal.is_diameter = false;
-    modal.diameter_due = needs_diameter ? nc::Function::DiameterOn : nc::Function::None;
-    modal.position = at.position;
-    if (needs_diameter) modal.position[0] *= 2;
-    modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
-    modal.has_feed = at.feed > 0;
-    modal.feed = at.feed;
-    modal.has_speed = at.speed > 0;
-    modal.speed = at.speed;
-    if (at.spindle == path::SpindleMode::Cw) modal.set_spindle(3, {});
-    if (at.spindle == path::SpindleMode::Ccw) modal.set_spindle(4, {});
+    run.modal.assume(nc::Group::Diameter, nc::Function::None);
+    run.modal.is_diameter = false;
+    run.modal.diameter_due = needs_diameter ? nc::Function::DiameterOn : nc::Function::None;
+    run.modal.position = at.position;
+    if (needs_diameter) run.modal.position[0] *= 2;
+    run.modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
+    run.modal.has_feed = at.feed > 0;
+    run.modal.feed = at.feed;
+    run.modal.has_speed = at.speed > 0;
+    run.modal.speed = at.speed;
+    if (at.spindle == path::SpindleMode::Cw) run.modal.set_spindle(3, {});
+    if (at.spindle == path::SpindleMode::Ccw) run.modal.set_spindle(4, {});
     const bool takes_shape = std::ranges::any_of(function.parameters, [](const ParameterInfo& p) {
         return p.kind == ParameterInfo::Kind::Contour;
     });
     // A cycle along a shape works in the plane of that, one that turns in the plane that acts.
     if (at.shape != nullptr && (takes_shape || turns)) {
-        modal.assume(nc::Group::Plane, at.plane == path::Plane::Xy   ? nc::Function::PlaneXy
-                                       : at.plane == path::Plane::Zx ? nc::Function::PlaneZx
-                                                                     : nc::Function::PlaneYz);
+        run.modal.assume(nc::Group::Plane, at.plane == path::Plane::Xy   ? nc::Function::PlaneXy
+                                           : at.plane == path::Plane::Zx ? nc::Function::PlaneZx
+                                                                         : nc::Function::PlaneYz);
     }
     std::uint32_t set = 0;
     std::size_t next = 0;  // of the arguments
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterInfo& parameter = function.parameters[i];
         if (parameter.kind == ParameterInfo::Kind::Contour && at.shape != nullptr) {
-            stack[code.globals + parameter.slot].integer =
-                make_contour({*at.shape, at.plane, at.is_diameter}, parameter.layout);
+            run.vm.stack[run.code.globals + parameter.slot].integer =
+                make_contour(run, {*at.shape, at.plane, at.is_diameter}, parameter.layout);
             set |= 1u << i;
             next += arguments.size() + 1 - function.parameters.size();
             continue;
@@ -333,19 +317,19 @@ Done Expander::State::start_cycle(std::string_view name, std::span<const double>
         const bool is_given = argument < arguments.size() && (given >> argument & 1u) != 0;
         if (!is_given) {
             if (parameter.has_default) continue;
-            sink.report(diag::DefineMissing, parameter.range)
+            run.sink.report(diag::DefineMissing, parameter.range)
                 .arg(function.name)
                 .arg(parameter.name);
             return kFailed;
         }
-        if (!set_number(parameter, arguments[argument], stack[code.globals + parameter.slot])) {
-            sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
+        if (!set_number(parameter, arguments[argument],
+                        run.vm.stack[run.code.globals + parameter.slot])) {
+            run.sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
             return kFailed;
         }
         set |= 1u << i;
     }
-    has_failed = false;
-    enter(function, set);
+    enter(run, function, set);
     return kDone;
 }
 

@@ -1,13 +1,18 @@
 // tests.cpp — tests while they run: calls handed to the bench, figures, expectations; and a call as
 // a program of its own.
+#include "expand/tests.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
 #include "base/diagnostics/test.h"
+#include "expand/blocks.h"
 #include "expand/numbers.h"
-#include "expand/state.h"
+#include "expand/running.h"
+#include "expand/start.h"
+#include "expand/values.h"
 
 namespace kadr::expand {
 
@@ -20,7 +25,7 @@ using sema::TestCall;
 
 namespace {
 
-constexpr std::size_t kFirstStack = 16384;
+bool stops_at_failure(Running& run);
 
 // Where a cycle under test begins if the test does not set it: well above a part whose top is Z0,
 // with a feed and a speed that no limit cuts.
@@ -41,21 +46,17 @@ std::string shortened(const std::string& text) {
 
 // ---------------------------------------------------------------- a test
 
-void Expander::State::start_test(std::uint32_t index, std::span<const Slot> values,
-                                 TestBench& asked) {
-    const FunctionCode& function = code.functions[index];
-    reserve_stack(std::max(kFirstStack, std::size_t{code.globals} + function.registers +
-                                            code.functions[0].registers + 16));
-    modal = first_state(function);
-    bench = &asked;
-    std::copy(values.begin(), values.end(), stack.begin() + code.globals);
-    has_failed = false;
-    enter(function, all_given[index]);
+void start_test(Running& run, std::uint32_t index, std::span<const Slot> values, TestBench& asked) {
+    const FunctionCode& function = run.code.functions[index];
+    prepare(run, function);
+    run.test.bench = &asked;
+    std::copy(values.begin(), values.end(), run.vm.stack.begin() + run.code.globals);
+    enter(run, function, run.vm.all_given[index]);
 }
 
-std::optional<std::vector<Slot>> Expander::State::read_values(
-    std::uint32_t index, const std::vector<sema::Define>& defines) {
-    const FunctionCode& function = code.functions[index];
+std::optional<std::vector<Slot>> read_values(Running& run, std::uint32_t index,
+                                             const std::vector<sema::Define>& defines) {
+    const FunctionCode& function = run.code.functions[index];
     std::vector<Slot> values;
     bool is_good = true;
     for (const sema::ParameterInfo& parameter : function.parameters) {
@@ -64,77 +65,80 @@ std::optional<std::vector<Slot>> Expander::State::read_values(
                          [&](const sema::Define& define) { return define.name == parameter.name; });
         values.emplace_back();
         if (found == defines.end()) {
-            sink.report(diag::DefineMissing, parameter.range)
+            run.sink.report(diag::DefineMissing, parameter.range)
                 .arg(function.name)
                 .arg(parameter.name)
                 .fix("give it on the command line: `-D " + parameter.name + "=…`");
             is_good = false;
-        } else if (!set_parameter(function, parameter, found->value, values.back())) {
+        } else if (!set_parameter(run, function, parameter, found->value, values.back())) {
             is_good = false;
         }
     }
     return is_good ? std::optional(values) : std::nullopt;
 }
 
-Done Expander::State::test_call(const Instruction& instruction, Slot* registers, std::uint32_t at) {
-    KADR_ASSERT(bench != nullptr, "a test runs without a bench");
+Done test_call(Running& run, const Instruction& instruction, Slot* registers, std::uint32_t at) {
+    KADR_ASSERT(run.test.bench != nullptr, "a test runs without a bench");
     const TestCall& entry =
-        code.test_calls[static_cast<std::size_t>(instruction.immediate.pair.second)];
+        run.code.test_calls[static_cast<std::size_t>(instruction.immediate.pair.second)];
     Slot* first = registers + instruction.a;
     CallUnderTest call;
     call.call = &entry;
     call.at = at;
     call.options = first;
     call.arguments = first + sema::kTestOptions;
-    call.heap = &heap;
-    call.range = code.locations[at];
+    call.heap = &run.vm.heap;
+    call.range = run.code.locations[at];
     const Slot text = first[sema::kTestOptions - 1];
-    if (text.integer != sema::kNotGivenInteger) call.text = heap.text(text.integer);
+    if (text.integer != sema::kNotGivenInteger) call.text = run.vm.heap.text(text.integer);
     const auto give_up = [&] {
-        has_failed = true;
-        is_running = false;
+        run.status.fail();
         return kFailed;
     };
     switch (entry.purpose) {
         case TestCall::Purpose::Execute:
         case TestCall::Purpose::Attempt: {
-            const std::optional<std::int64_t> execution = bench->execute(call);
+            const std::optional<std::int64_t> execution = run.test.bench->execute(call);
             if (!execution) return give_up();
             first->integer = *execution;
             return kDone;
         }
         case TestCall::Purpose::Text: {
-            std::optional<std::string> written = bench->write(call);
+            std::optional<std::string> written = run.test.bench->write(call);
             if (!written) return give_up();
-            if (heap.is_full()) collect_garbage(registers);
-            first->integer = heap.new_text(std::move(*written));
+            if (run.vm.heap.is_full()) collect_garbage(run, registers);
+            first->integer = run.vm.heap.new_text(std::move(*written));
             return kDone;
         }
         case TestCall::Purpose::ExpectError:
-            if (bench->require_error(call)) return kDone;
-            has_failed = true;
-            return Done(!stops_at_failure());
+            if (run.test.bench->require_error(call)) return kDone;
+            run.status.note_failure();
+            return Done(!stops_at_failure(run));
     }
     return kDone;
 }
 
-bool Expander::State::stops_at_failure() {
+namespace {
+
+bool stops_at_failure(Running& run) {
     // A property has its counterexample; a test may have more to report.
-    if (frames[0].function->kind == FunctionKind::Property) is_running = false;
-    return !is_running;
+    if (run.vm.calls[0].function->kind == FunctionKind::Property) run.status.finish();
+    return !run.status.is_running();
 }
 
-void Expander::State::ask_figure(const Instruction& instruction, Slot* registers) {
-    KADR_ASSERT(bench != nullptr, "a test runs without a bench");
+}  // namespace
+
+void ask_figure(Running& run, const Instruction& instruction, Slot* registers) {
+    KADR_ASSERT(run.test.bench != nullptr, "a test runs without a bench");
     const auto figure = static_cast<sema::Figure>(instruction.c);
     const sema::FigureInfo& info = sema::all_figures()[instruction.c];
     Slot* first = registers + instruction.a;
     constexpr std::size_t kMostArguments = 8;  // figures.def: two points and two lengths
-    const FigureAnswer answer = bench->ask(registers[instruction.b].integer, figure,
-                                           std::span<const Slot>(first, kMostArguments));
+    const FigureAnswer answer = run.test.bench->ask(registers[instruction.b].integer, figure,
+                                                    std::span<const Slot>(first, kMostArguments));
     if (!info.parameters.empty()) {
-        reason = answer.reason;
-        reason_at = answer.reason_at;
+        run.test.reason = answer.reason;
+        run.test.reason_at = answer.reason_at;
     }
     switch (info.result) {
         case sema::FigureResult::Count:
@@ -145,14 +149,15 @@ void Expander::State::ask_figure(const Instruction& instruction, Slot* registers
             for (std::size_t i = 0; i < 3; ++i) first[i].number = answer.numbers[i];
             return;
         case sema::FigureResult::Text:
-            if (heap.is_full()) collect_garbage(registers);
-            first->integer = heap.new_text(answer.text);
+            if (run.vm.heap.is_full()) collect_garbage(run, registers);
+            first->integer = run.vm.heap.new_text(answer.text);
             return;
         case sema::FigureResult::Counts:
         case sema::FigureResult::Lengths: break;
     }
-    if (heap.is_full()) collect_garbage(registers);
-    first->integer = heap.new_array(static_cast<std::uint32_t>(instruction.immediate.pair.first));
+    if (run.vm.heap.is_full()) collect_garbage(run, registers);
+    first->integer =
+        run.vm.heap.new_array(static_cast<std::uint32_t>(instruction.immediate.pair.first));
     for (const double number : answer.list) {
         Slot slot{};
         if (info.result == sema::FigureResult::Counts) {
@@ -160,56 +165,57 @@ void Expander::State::ask_figure(const Instruction& instruction, Slot* registers
         } else {
             slot.number = number;
         }
-        heap.append(first->integer, &slot);
+        run.vm.heap.append(first->integer, &slot);
     }
 }
 
-void Expander::State::list_dialects(const Instruction& instruction, Slot* registers) {
-    KADR_ASSERT(bench != nullptr, "a test runs without a bench");
-    if (heap.is_full()) collect_garbage(registers);
+void list_dialects(Running& run, const Instruction& instruction, Slot* registers) {
+    KADR_ASSERT(run.test.bench != nullptr, "a test runs without a bench");
+    if (run.vm.heap.is_full()) collect_garbage(run, registers);
     Slot& result = registers[instruction.a];
     if (instruction.c == 0) {
-        result.integer = heap.new_text(bench->dialect());
+        result.integer = run.vm.heap.new_text(run.test.bench->dialect());
         return;
     }
-    result.integer = heap.new_array(instruction.b);
-    for (const std::string& name : bench->dialects()) {
+    result.integer = run.vm.heap.new_array(instruction.b);
+    for (const std::string& name : run.test.bench->dialects()) {
         Slot slot{};
-        slot.integer = heap.new_text(name);
-        heap.append(result.integer, &slot);
+        slot.integer = run.vm.heap.new_text(name);
+        run.vm.heap.append(result.integer, &slot);
     }
 }
 
-/// Reports what does not hold; the test may go on.
-void Expander::State::report_expectation(const Instruction& instruction, const Slot* registers,
-                                         std::uint32_t at) {
-    has_failed = true;
-    if (stops_at_failure() ||
-        std::find(failed_at.begin(), failed_at.end(), at) == failed_at.end()) {
+void report_expectation(Running& run, const Instruction& instruction, const Slot* registers,
+                        std::uint32_t at) {
+    run.status.note_failure();
+    if (stops_at_failure(run) || std::find(run.test.failed_at.begin(), run.test.failed_at.end(),
+                                           at) == run.test.failed_at.end()) {
         // In a loop, the first pass speaks for all.
-        failed_at.push_back(at);
+        run.test.failed_at.push_back(at);
         const std::string& what =
-            code.texts[static_cast<std::size_t>(instruction.immediate.pair.first)];
+            run.code.texts[static_cast<std::size_t>(instruction.immediate.pair.first)];
         const auto why = static_cast<sema::Expectation>(instruction.c & (sema::kHasReason - 1));
         const bool is_compared = why == sema::Expectation::Compared;
-        DiagnosticBuilder builder =
-            sink.report(is_compared ? diag::ExpectFailed : diag::ExpectUntrue, code.locations[at]);
+        DiagnosticBuilder builder = run.sink.report(
+            is_compared ? diag::ExpectFailed : diag::ExpectUntrue, run.code.locations[at]);
         builder.arg(what);
         if (is_compared) {
             std::string wanted =
-                code.texts[static_cast<std::size_t>(instruction.immediate.pair.second)];
+                run.code.texts[static_cast<std::size_t>(instruction.immediate.pair.second)];
             wanted.replace(wanted.find("{}"), 2,
-                           shortened(heap.text(registers[instruction.b].integer)));
-            builder.arg(shortened(heap.text(registers[instruction.a].integer))).arg(wanted);
+                           shortened(run.vm.heap.text(registers[instruction.b].integer)));
+            builder.arg(shortened(run.vm.heap.text(registers[instruction.a].integer))).arg(wanted);
         }
         if (why == sema::Expectation::UntrueOfText) {
-            builder.note("the text is:\n" + shortened(heap.text(registers[instruction.a].integer)));
+            builder.note("the text is:\n" +
+                         shortened(run.vm.heap.text(registers[instruction.a].integer)));
         }
-        if ((instruction.c & sema::kHasReason) != 0 && !reason.empty()) {
-            if (reason_at.is_valid() && reason_at.index < code.statements.size()) {
-                builder.note(code.statements[reason_at.index], reason);
+        if ((instruction.c & sema::kHasReason) != 0 && !run.test.reason.empty()) {
+            if (run.test.reason_at.is_valid() &&
+                run.test.reason_at.index < run.code.statements.size()) {
+                builder.note(run.code.statements[run.test.reason_at.index], run.test.reason);
             } else {
-                builder.note(reason);
+                builder.note(run.test.reason);
             }
         }
     }
@@ -217,15 +223,17 @@ void Expander::State::report_expectation(const Instruction& instruction, const S
 
 // ---------------------------------------------------------------- a call under test
 
+namespace {
+
 /// Blocks that a cycle may rely on: the spindle turns, a feed is set, the tool is somewhere.
-void Expander::State::set_up(const CallUnderTest& call) {
+void set_up(Running& run, const CallUnderTest& call) {
     const auto option = [&](std::size_t i, double otherwise) {
         const double value = call.options[i].number;
         return value == value ? value : otherwise;
     };
     const auto deliver = [&](const Block& block) {
-        modal.take_block(block, target.rules());
-        if (options.trace) traces.emplace_back();  // no statement of the source makes it
+        run.modal.take_block(block, run.target.rules());
+        if (run.options.trace) run.batch.add_origin({});  // no statement of the source makes it
     };
     double feed = option(3, kStartFeed / 60);
     double speed = option(4, kStartSpeed / 60);
@@ -234,14 +242,14 @@ void Expander::State::set_up(const CallUnderTest& call) {
     feed = is_per_turn ? feed / sema::kSecondForm : neat(feed * 60);
     speed = is_cutting ? neat(speed / sema::kSecondForm * 60 / 1000) : neat(speed * 60);
     {
-        Block& block = next_block({});
+        Block& block = next_block(run, {});
         if (is_cutting) block.add(Function::CuttingSpeedOn, 0);
         block.add(Function::SpindleCw, 0);
         block.set(nc::Slot::Speed, speed);
         deliver(block);
     }
     {
-        Block& block = next_block({});
+        Block& block = next_block(run, {});
         block.motion = Function::Rapid;
         if (is_per_turn) block.add(Function::FeedPerRevolution, 0);
         block.set(nc::Slot::X, option(0, 0));
@@ -249,47 +257,49 @@ void Expander::State::set_up(const CallUnderTest& call) {
         block.set(nc::Slot::Feed, feed);
         deliver(block);
     }
-    Block& block = next_block({});
+    Block& block = next_block(run, {});
     block.motion = Function::Rapid;
     block.set(nc::Slot::Z, option(2, kStartHeight));
     deliver(block);
 }
 
-void Expander::State::start_call(const CallUnderTest& call) {
+}  // namespace
+
+void start_call(Running& run, const CallUnderTest& call) {
     const TestCall& entry = *call.call;
-    const FunctionCode& function = code.functions[entry.function];
-    const FunctionCode& startup = code.functions[0];
-    reserve_stack(std::max(
-        kFirstStack, std::size_t{code.globals} + function.registers + startup.registers + 16));
-    modal = first_state(function);
-    if (function.kind != FunctionKind::Program) set_up(call);
+    const FunctionCode& function = run.code.functions[entry.function];
+    const FunctionCode& startup = run.code.functions[0];
+    prepare(run, function);
+    if (function.kind != FunctionKind::Program) set_up(run, call);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const sema::ParameterInfo& parameter = function.parameters[i];
         if ((entry.given >> i & 1u) == 0) continue;
-        const std::vector<SlotKind>& kinds = code.layouts[entry.layouts[i]].slots;
+        const std::vector<SlotKind>& kinds = run.code.layouts[entry.layouts[i]].slots;
         for (std::size_t s = 0; s < kinds.size(); ++s) {
             const std::size_t at = parameter.slot + s;
-            stack[code.globals + at] = heap.adopt(*call.heap, call.arguments[at], kinds[s]);
+            run.vm.stack[run.code.globals + at] =
+                run.vm.heap.adopt(*call.heap, call.arguments[at], kinds[s]);
         }
     }
     // Below the call stands what called it; the call returns to the Finish behind its instruction.
-    CallFrame& bottom = frames.push();
+    CallFrame& bottom = run.vm.calls.push();
     bottom = {};
     bottom.function = &startup;
-    bottom.base = code.globals;
-    CallFrame& called = frames.push();
+    bottom.base = run.code.globals;
+    CallFrame& called = run.vm.calls.push();
     called = {};
     called.function = &function;
-    called.base = code.globals;
+    called.base = run.code.globals;
     called.given = entry.given;
     called.return_to = call.at + 1;
-    CallFrame& first = frames.push();
+    CallFrame& first = run.vm.calls.push();
     first = {};
     first.function = &startup;
-    first.base = code.globals + function.registers;
-    first.return_to = entry.given == all_given[entry.function] ? function.body : function.entry;
-    pc = startup.entry;
-    is_running = true;
+    first.base = run.code.globals + function.registers;
+    first.return_to =
+        entry.given == run.vm.all_given[entry.function] ? function.body : function.entry;
+    run.vm.pc = startup.entry;
+    run.status.begin();
 }
 
 }  // namespace kadr::expand

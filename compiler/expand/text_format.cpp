@@ -1,4 +1,6 @@
 // text_format.cpp — values into texts: `"{x:.3}"`, `"{i:03}"`.
+#include "expand/text_format.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -7,7 +9,7 @@
 #include "base/numbers.h"
 #include "base/readable.h"
 #include "base/text.h"
-#include "expand/state.h"
+#include "expand/running.h"
 
 namespace kadr::expand {
 
@@ -15,6 +17,9 @@ using sema::FormatPiece;
 using sema::ShownForm;
 
 namespace {
+
+std::string shown_list(Running& run, const sema::ShownForm& form, Slot list);
+std::string shown_contour(Running& run, const sema::ShownForm& form, Slot contour);
 
 constexpr std::int64_t kShownElements = 20;  // of a list; a line or two at a prompt
 
@@ -53,11 +58,11 @@ void pad(std::string text, const FormatPiece& piece, std::string& out, std::stri
 
 }  // namespace
 
-std::string Expander::State::format(const sema::FormatPattern& pattern, const Slot* values) const {
+std::string format(const Running& run, const sema::FormatPattern& pattern, const Slot* values) {
     std::string out;
-    const bool is_inch = modal[nc::Group::Units] == nc::Function::Inch;
+    const bool is_inch = run.modal[nc::Group::Units] == nc::Function::Inch;
     for (const FormatPiece& piece : pattern) {
-        if (out.size() > options.limits.array_elements) break;  // who asked for it reports that
+        if (out.size() > run.options.limits.array_elements) break;  // who asked for it reports that
         if (piece.kind == FormatPiece::Kind::Literal) {
             out += piece.text;
             continue;
@@ -91,13 +96,13 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
                     second ? scale.second_unit : scale.unit);
                 break;
             }
-            case FormatPiece::Kind::Text: pad(heap.text(value.integer), piece, out); break;
+            case FormatPiece::Kind::Text: pad(run.vm.heap.text(value.integer), piece, out); break;
             case FormatPiece::Kind::Bool:
                 pad(value.integer != 0 ? "true" : "false", piece, out);
                 break;
             case FormatPiece::Kind::Enum: {
                 std::string name = std::to_string(value.integer);
-                for (const auto& [member, number_of] : code.enums[piece.enumeration].members) {
+                for (const auto& [member, number_of] : run.code.enums[piece.enumeration].members) {
                     if (number_of == value.integer) name = member;
                 }
                 pad(std::move(name), piece, out);
@@ -108,8 +113,8 @@ std::string Expander::State::format(const sema::FormatPattern& pattern, const Sl
     return out;
 }
 
-std::string Expander::State::quantity_text(double value, sema::Quantity quantity) const {
-    const bool is_inch = modal[nc::Group::Units] == nc::Function::Inch;
+std::string quantity_text(const Running& run, double value, sema::Quantity quantity) {
+    const bool is_inch = run.modal[nc::Group::Units] == nc::Function::Inch;
     const sema::Units units = is_inch ? sema::Units::Inch : sema::Units::Metric;
     const std::string unit = sema::unit_text(quantity, units);
     return readable(value / sema::bare_factor(quantity, units)) + (unit.empty() ? "" : " ") + unit;
@@ -117,52 +122,56 @@ std::string Expander::State::quantity_text(double value, sema::Quantity quantity
 
 // ---------------------------------------------------------------- values at the prompt
 
-std::string Expander::State::shown(std::uint32_t form, const Slot* value, bool is_part) {
-    const ShownForm& shape = code.shown_forms[form];
+std::string shown(Running& run, std::uint32_t form, const Slot* value, bool is_part) {
+    const ShownForm& shape = run.code.shown_forms[form];
     const bool is_whole = shape.kind != ShownForm::Kind::Members;
     if (is_whole && !sema::is_given(*value, static_cast<unsigned>(shape.slot))) return "not given";
     switch (shape.kind) {
         case ShownForm::Kind::Plain: {
-            const std::string text = format({shape.piece}, value);
+            const std::string text = format(run, {shape.piece}, value);
             const bool is_quoted = is_part && shape.piece.kind == FormatPiece::Kind::Text;
             return is_quoted ? '"' + text + '"' : text;
         }
-        case ShownForm::Kind::List: return shown_list(shape, *value);
-        case ShownForm::Kind::Contour: return shown_contour(shape, *value);
+        case ShownForm::Kind::List: return shown_list(run, shape, *value);
+        case ShownForm::Kind::Contour: return shown_contour(run, shape, *value);
         case ShownForm::Kind::Members: break;
     }
     std::string out;
     for (const ShownForm::Part& part : shape.parts) {
-        const std::string text = shown(part.form, value + part.slot, true);
+        const std::string text = shown(run, part.form, value + part.slot, true);
         if (text == "not given") continue;
         out += (out.empty() ? "{" : ", ") + part.name + ": " + text;
     }
     return out.empty() ? "not given" : out + '}';
 }
 
-std::string Expander::State::shown_list(const ShownForm& form, Slot list) {
-    const Heap::ArrayView elements = heap.array(list.integer);
+namespace {
+
+std::string shown_list(Running& run, const ShownForm& form, Slot list) {
+    const Heap::ArrayView elements = run.vm.heap.array(list.integer);
     std::string out = "{";
     const std::int64_t most = std::min(elements.count, kShownElements);
     for (std::int64_t i = 0; i < most; ++i) {
         if (i > 0) out += ", ";
-        out += shown(form.parts[0].form, elements.slots + i * elements.stride, true);
+        out += shown(run, form.parts[0].form, elements.slots + i * elements.stride, true);
     }
     if (most < elements.count) out += ", … " + std::to_string(elements.count) + " in all";
     return out + '}';
 }
 
 /// Its ends and what lies between: all coordinates would hide them.
-std::string Expander::State::shown_contour(const ShownForm& form, Slot contour) {
-    const Heap::ArrayView elements = heap.array(contour.integer);
+std::string shown_contour(Running& run, const ShownForm& form, Slot contour) {
+    const Heap::ArrayView elements = run.vm.heap.array(contour.integer);
     if (elements.count == 0) return "an empty contour";
     const auto end = [&](const Slot* element, sema::ElementSlot which) {
-        return shown(form.parts[0].form, element + static_cast<std::size_t>(which), true);
+        return shown(run, form.parts[0].form, element + static_cast<std::size_t>(which), true);
     };
     const Slot* last = elements.slots + (elements.count - 1) * elements.stride;
     return "a contour from " + end(elements.slots, sema::ElementSlot::From) + " to " +
            end(last, sema::ElementSlot::To) + ", " + std::to_string(elements.count) +
            (elements.count == 1 ? " element" : " elements");
 }
+
+}  // namespace
 
 }  // namespace kadr::expand

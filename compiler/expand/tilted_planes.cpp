@@ -5,13 +5,21 @@
 // alone turn, a plane to which the tool stands is then a shift and a rotation about Z; a head would
 // incline the tool's length away from Z, which takes a control that knows of it. Motion.md 7.2
 // and 7.3.
+#include "expand/tilted_planes.h"
+
 #include <array>
 #include <cmath>
 
 #include "base/diagnostics/expand.h"
 #include "base/units.h"
+#include "expand/blocks.h"
+#include "expand/contours.h"
+#include "expand/faults.h"
+#include "expand/frame_blocks.h"
+#include "expand/input.h"
 #include "expand/numbers.h"
-#include "expand/state.h"
+#include "expand/orienting.h"
+#include "expand/running.h"
 #include "machine/machine.h"
 #include "machine/orientation.h"
 #include "machine/tilted_plane.h"
@@ -27,6 +35,17 @@ using path::Frame;
 using path::Vec3;
 
 namespace {
+
+Done emit_plan_of_frame(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                        const Slot* registers, std::uint32_t at);
+Done read_plane(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                const Slot* registers, std::uint32_t at, std::array<double, 6>& values);
+Done say_euler(Running& run, const std::array<double, 6>& values, SourceId source, std::uint32_t at,
+               unsigned depth);
+Done resolve_tilted_plane(Running& run, const std::array<double, 6>& values, SourceId source,
+                          std::uint32_t at, unsigned depth);
+Done say_joints(Running& run, const machine::Chain& chain, const path::Vec3& joints,
+                SourceId source, std::uint32_t at, unsigned depth);
 
 constexpr std::size_t kOrigin =
     nc::parameter_of_all<"x", Function::Tilt, Function::TiltedPlaneEuler>();
@@ -67,67 +86,73 @@ void keep_motion(ModalState& modal, const ModalMotion& motion) {
 
 }  // namespace
 
-/// Whether the plan programs a tilted plane, or something that does not stand in one.
-bool Expander::State::is_about_tilted_plane(const sema::Plan& plan) const {
+bool is_about_tilted_plane(const Running& run, const sema::Plan& plan) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTiltedPlane)) return true;
-        if (modal.tilt != ModalState::PlaneTilt::None &&
+        if (run.modal.tilt != ModalState::PlaneTilt::None &&
             nc::has_fact(invocation.function, nc::Fact::MovesSystem))
             return true;
     }
     return false;
 }
 
-Done Expander::State::emit_tilted_plane(const sema::Plan& plan, const Instruction& instruction,
-                                        const Slot* registers, std::uint32_t at) {
+Done emit_tilted_plane(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                       const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
     if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTiltedPlane)) {
-        const bool may_change = modal.tilt == ModalState::PlaneTilt::Own;
+        const bool may_change = run.modal.tilt == ModalState::PlaneTilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
-            return emit_plan_of_frame(plan, instruction, registers, at);
-        return refuse_in_tilted_plane(nc::info(function).name, at);
+            return emit_plan_of_frame(run, plan, instruction, registers, at);
+        return refuse_in_tilted_plane(run, nc::info(function).name, at);
     }
-    if (!recordings.empty()) return refuse_in_contour("a tilted plane", at);
-    const bool is_outermost = modal.tilt == ModalState::PlaneTilt::Resolved
-                                  ? modal.frame == modal.tilted_plane_frame
-                                  : modal.frame.is_identity();
+    if (run.recordings.is_open()) return refuse_in_contour(run, "a tilted plane", at);
+    const bool is_outermost = run.modal.tilt == ModalState::PlaneTilt::Resolved
+                                  ? run.modal.frame == run.modal.tilted_plane_frame
+                                  : run.modal.frame.is_identity();
     if (!is_outermost) {
-        fault(diag::TiltInFrame, at).arg(nc::info(function).name);
+        fault(run, diag::TiltInFrame, at).arg(nc::info(function).name);
         return kFailed;
     }
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (function == Function::TiltedPlaneOff) {
-        if (modal.tilt == ModalState::PlaneTilt::None) return kDone;
-        if (modal.tilt != ModalState::PlaneTilt::Resolved)
-            return emit_block(plan, instruction, registers, at);
-        write_frame({}, source, at, instruction.c);
-        modal.tilt = ModalState::PlaneTilt::None;
-        return Done(!has_failed);
+        if (run.modal.tilt == ModalState::PlaneTilt::None) return kDone;
+        if (run.modal.tilt != ModalState::PlaneTilt::Resolved)
+            return emit_block(run, plan, instruction, registers, at);
+        write_frame(run, {}, source, at, instruction.c);
+        run.modal.tilt = ModalState::PlaneTilt::None;
+        return Done(!run.status.has_failed());
     }
-    if (target.can_write(Function::Tilt)) return emit_block(plan, instruction, registers, at);
+    if (run.target.can_write(Function::Tilt))
+        return emit_block(run, plan, instruction, registers, at);
     std::array<double, 6> values{};
-    if (!read_plane(plan, instruction, registers, at, values)) return kFailed;
-    if (target.can_write(Function::TiltedPlaneEuler) && target.can_write(Function::AlignTool))
-        return say_euler(values, source, at, instruction.c);
-    return resolve_tilted_plane(values, source, at, instruction.c);
+    if (!read_plane(run, plan, instruction, registers, at, values)) return kFailed;
+    if (run.target.can_write(Function::TiltedPlaneEuler) &&
+        run.target.can_write(Function::AlignTool))
+        return say_euler(run, values, source, at, instruction.c);
+    return resolve_tilted_plane(run, values, source, at, instruction.c);
 }
+
+namespace {
 
 /// A frame inside of a plane, on a control that has frames in planes.
-Done Expander::State::emit_plan_of_frame(const sema::Plan& plan, const Instruction& instruction,
-                                         const Slot* registers, std::uint32_t at) {
-    if (needs_frame(plan)) return emit_frame(plan, instruction, registers, at);
-    return emit_block(plan, instruction, registers, at);
+Done emit_plan_of_frame(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                        const Slot* registers, std::uint32_t at) {
+    if (needs_frame(run, plan)) return emit_frame(run, plan, instruction, registers, at);
+    return emit_block(run, plan, instruction, registers, at);
 }
 
-Done Expander::State::refuse_in_tilted_plane(std::string_view what, std::uint32_t at) {
-    fault(diag::FrameInTilt, at).arg(what).arg(target.name());
+}  // namespace
+
+Done refuse_in_tilted_plane(Running& run, std::string_view what, std::uint32_t at) {
+    fault(run, diag::FrameInTilt, at).arg(what).arg(run.target.name());
     return kFailed;
 }
 
+namespace {
+
 /// Origin, mm, and the angles about X, the new Y, the new Z, deg.
-Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& instruction,
-                                 const Slot* registers, std::uint32_t at,
-                                 std::array<double, 6>& values) {
+Done read_plane(Running& run, const sema::Plan& plan, const Instruction& instruction,
+                const Slot* registers, std::uint32_t at, std::array<double, 6>& values) {
     const std::size_t first = plan.functions.front().first;
     for (const auto& [place, value] : plan.arguments)
         if (place >= first && place < first + values.size()) values[place - first] = value;
@@ -137,8 +162,8 @@ Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& inst
         if (!filling.is_argument || filling.parameter >= values.size()) continue;
         const double number = numbers[f].number;
         if (!is_sane(number)) {
-            if (number != number) not_given({}, word_of(filling, at));
-            else math_fault(sema::MathFault::Overflow, at);
+            if (number != number) not_given(run, {}, word_of(run, filling, at));
+            else math_fault(run, sema::MathFault::Overflow, at);
             return kFailed;
         }
         values[filling.parameter] = number;
@@ -147,48 +172,49 @@ Done Expander::State::read_plane(const sema::Plan& plan, const Instruction& inst
 }
 
 /// By Euler angles, and the rotary axes in a block of its own.
-Done Expander::State::say_euler(const std::array<double, 6>& values, SourceId source,
-                                std::uint32_t at, unsigned depth) {
-    const auto add = [&](Function function, std::span<const Argument> arguments) {
-        put_function(function, arguments, source, at, depth);
+Done say_euler(Running& run, const std::array<double, 6>& values, SourceId source, std::uint32_t at,
+               unsigned depth) {
+    const auto add = [&](Function function, std::span<const ArgumentValue> arguments) {
+        put_function(run, function, arguments, source, at, depth);
     };
     const Vec3 turns = three(values, kAngles) * rad_from_deg(1);
     const Vec3 euler = machine::euler_zxz_of(machine::rpy_xyz(turns))[0];
-    std::array<Argument, 6> said{};
+    std::array<ArgumentValue, 6> said{};
     for (std::size_t i = 0; i < said.size(); ++i) said[i] = {i, values[i]};
     for (std::size_t i = 0; i < 3; ++i)
         said[kAngles + i].value = neat_angle(deg_from_rad(euler[static_cast<Eigen::Index>(i)]));
     // `G53.1` turns them as the modal motion is, and stands next to the plane. F 4.8 G53.1.
-    const ModalMotion motion = modal_motion(modal);
-    if (!require_room(at)) return kFailed;
-    Block& block = next_block(source);
+    const ModalMotion motion = modal_motion(run.modal);
+    if (!require_room(run, at)) return kFailed;
+    Block& block = next_block(run, source);
     block.motion = Function::Rapid;
-    modal.take_block(block, target.rules());
-    if (options.trace) keep_trace(at, depth, source);
-    if (modal.tilt != ModalState::PlaneTilt::None) add(Function::TiltedPlaneOff, {});
+    run.modal.take_block(block, run.target.rules());
+    if (run.options.trace) keep_trace(run, at, depth, source);
+    if (run.modal.tilt != ModalState::PlaneTilt::None) add(Function::TiltedPlaneOff, {});
     add(Function::TiltedPlaneEuler, said);
-    add(Function::AlignTool, std::array{Argument{nc::parameter_of<Function::AlignTool>("way"), 0}});
-    keep_motion(modal, motion);
-    return Done(!has_failed);
+    add(Function::AlignTool,
+        std::array{ArgumentValue{nc::parameter_of<Function::AlignTool>("way"), 0}});
+    keep_motion(run.modal, motion);
+    return Done(!run.status.has_failed());
 }
 
 /// The rotary axes go to their positions, and the frame is that of the part on the turned tables.
-Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, SourceId source,
-                                           std::uint32_t at, unsigned depth) {
-    const machine::Machine* machine = options.machine ? options.machine() : nullptr;
+Done resolve_tilted_plane(Running& run, const std::array<double, 6>& values, SourceId source,
+                          std::uint32_t at, unsigned depth) {
+    const machine::Machine* machine = run.options.machine ? run.options.machine() : nullptr;
     if (machine == nullptr || !machine->kinematics) {
-        fault(diag::TiltNoMachine, at)
-            .arg(target.name())
+        fault(run, diag::TiltNoMachine, at)
+            .arg(run.target.name())
             .arg(machine == nullptr ? "" : machine->name)
             .fix("name the machine: `-m MACHINE`");
         return kFailed;
     }
     const machine::Chain& chain = machine->kinematics->chain;
-    const std::size_t number = modal[Group::WorkOffsets] == Function::WorkOffset
-                                   ? static_cast<std::size_t>(modal.work_offset)
+    const std::size_t number = run.modal[Group::WorkOffsets] == Function::WorkOffset
+                                   ? static_cast<std::size_t>(run.modal.work_offset)
                                    : 1;
     if (number >= machine->work_offsets.size()) {
-        fault(diag::TiltNoZero, at).arg(machine->name).arg(number);
+        fault(run, diag::TiltNoZero, at).arg(machine->name).arg(number);
         return kFailed;
     }
     const AxisValues& offset = machine->work_offsets[number];
@@ -203,20 +229,20 @@ Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, 
         if (!chain.has(k)) continue;
         const Axis axis = chain.joints[k].axis;
         const auto slot = static_cast<Eigen::Index>(k);
-        if ((modal.known & bit(axis)) != 0)
-            query.start[slot] = rad_from_deg(modal.position[index(axis)]);
+        if ((run.modal.known & bit(axis)) != 0)
+            query.start[slot] = rad_from_deg(run.modal.position[index(axis)]);
         if (const machine::MachineAxis* limits = machine->find(axis))
             query.limits[k] = {limits->lower, limits->upper};
     }
     const auto joints = machine::choose_swivel(chain, query);
     if (!joints) {
-        fault(diag::TiltBeyond, at).arg(machine->name);
+        fault(run, diag::TiltBeyond, at).arg(machine->name);
         return kFailed;
     }
     const bool head_turns =
         (machine::tool_in_base(chain, *joints) - chain.tool_direction).norm() > kRounding;
     if (head_turns) {
-        fault(diag::TiltOfHead, at).arg(target.name()).arg(machine->name);
+        fault(run, diag::TiltOfHead, at).arg(run.target.name()).arg(machine->name);
         return kFailed;
     }
     const Vec3 origin = three(values, kOrigin);
@@ -230,30 +256,32 @@ Done Expander::State::resolve_tilted_plane(const std::array<double, 6>& values, 
     }
     next.plane = Function::PlaneXy;
     next.angle_deg = neat_angle(deg_from_rad(std::atan2(whole.linear(1, 0), whole.linear(0, 0))));
-    if (!say_joints(chain, *joints, source, at, depth)) return kFailed;
-    write_frame(next, source, at, depth);
-    modal.tilt = ModalState::PlaneTilt::Resolved;
-    modal.tilted_plane_frame = modal.frame;
-    return Done(!has_failed);
+    if (!say_joints(run, chain, *joints, source, at, depth)) return kFailed;
+    write_frame(run, next, source, at, depth);
+    run.modal.tilt = ModalState::PlaneTilt::Resolved;
+    run.modal.tilted_plane_frame = run.modal.frame;
+    return Done(!run.status.has_failed());
 }
 
 /// A block at rapid that brings the rotary axes to their positions; the modal motion stays.
-Done Expander::State::say_joints(const machine::Chain& chain, const Vec3& joints, SourceId source,
-                                 std::uint32_t at, unsigned depth) {
-    if (!require_room(at)) return kFailed;
-    Block& block = next_block(source);
+Done say_joints(Running& run, const machine::Chain& chain, const Vec3& joints, SourceId source,
+                std::uint32_t at, unsigned depth) {
+    if (!require_room(run, at)) return kFailed;
+    Block& block = next_block(run, source);
     block.motion = Function::Rapid;
     for (std::size_t k = 0; k < machine::kJoints; ++k) {
         if (!chain.has(k)) continue;
         const nc::Slot slot = nc::slot_of(chain.joints[k].axis);
         block.set(slot, neat(neat_angle(deg_from_rad(joints[static_cast<Eigen::Index>(k)]))));
-        if (modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
+        if (run.modal[Group::Distance] == Function::Incremental) block.absolute |= nc::bit(slot);
     }
-    const ModalMotion motion = modal_motion(modal);
-    modal.take_block(block, target.rules());
-    keep_motion(modal, motion);
-    if (options.trace) keep_trace(at, depth, source);
+    const ModalMotion motion = modal_motion(run.modal);
+    run.modal.take_block(block, run.target.rules());
+    keep_motion(run.modal, motion);
+    if (run.options.trace) keep_trace(run, at, depth, source);
     return kDone;
 }
+
+}  // namespace
 
 }  // namespace kadr::expand

@@ -1,6 +1,8 @@
 // unknown.cpp — modal state that is not known: behind raw text, behind a block that the operator
 // may leave out. What needs it is written again, by the output where it is programmed,
 // else by the author.
+#include "expand/unknown.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +10,12 @@
 #include <utility>
 
 #include "base/diagnostics/expand.h"
+#include "expand/blocks.h"
+#include "expand/cuts.h"
+#include "expand/faults.h"
 #include "expand/plane.h"
-#include "expand/state.h"
+#include "expand/running.h"
+#include "expand/scopes.h"
 #include "nc/tables.h"
 
 namespace kadr::expand {
@@ -168,203 +174,207 @@ void ModalState::lose_to_choice(sema::ModalMask what, SourceId block) {
 
 // ---------------------------------------------------------------- what needs it
 
-/// Which statement has made the position of an axis unknown, if one did.
-void Expander::State::report_lost_position(DiagnosticBuilder& builder, std::size_t axis) const {
-    const LostBy& lost = modal.position_lost_by[axis];
-    if (lost.statement.is_valid() && lost.statement.index < code.statements.size())
-        builder.note(code.statements[lost.statement.index], words_of(lost.how));
+void report_lost_position(const Running& run, DiagnosticBuilder& builder, std::size_t axis) {
+    const LostBy& lost = run.modal.position_lost_by[axis];
+    if (lost.statement.is_valid() && lost.statement.index < run.code.statements.size())
+        builder.note(run.code.statements[lost.statement.index], words_of(lost.how));
 }
 
-Done Expander::State::refuse_lost_state(std::string_view what, std::string_view fix,
-                                        std::uint32_t at) {
-    report_loss(fault(diag::StateLost, at), what, fix);
+Done refuse_lost_state(Running& run, std::string_view what, std::string_view fix,
+                       std::uint32_t at) {
+    report_loss(run, fault(run, diag::StateLost, at), what, fix);
     return kFailed;
 }
 
-void Expander::State::report_loss(DiagnosticBuilder builder, std::string_view what,
-                                  std::string_view fix) {
+void report_loss(Running& run, DiagnosticBuilder builder, std::string_view what,
+                 std::string_view fix) {
     builder.arg(what);
-    if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size()) {
-        builder.note(code.statements[modal.lost_by.index], words_of(modal.lost_in));
+    if (run.modal.lost_by.is_valid() && run.modal.lost_by.index < run.code.statements.size()) {
+        builder.note(run.code.statements[run.modal.lost_by.index], words_of(run.modal.lost_in));
     }
     builder.fix(std::string(fix));
-    const std::string words = words_of_lost(modal.lost);
-    if (modal.lost_in == Loss::RawText && !words.empty())
+    const std::string words = words_of_lost(run.modal.lost);
+    if (run.modal.lost_in == Loss::RawText && !words.empty())
         builder.fix("or say behind the raw text all at once what the part needs: " + words);
 }
 
-Done Expander::State::require_state(const Block& block, std::uint32_t at) {
-    const auto lacks = [&](Group group) { return (modal.lost & group_bit(group)) != 0; };
+namespace {
+
+Done require_state(Running& run, const Block& block, std::uint32_t at) {
+    const auto lacks = [&](Group group) { return (run.modal.lost & group_bit(group)) != 0; };
     const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
-    const Function motion = modal[Group::Motion];
+    const Function motion = run.modal[Group::Motion];
     // A control without words for it writes a single distance by the dimensions of its block, too.
-    const nc::DialectTables& tables = target.tables();
+    const nc::DialectTables& tables = run.target.tables();
     const bool says_each = tables.notation.has_modes || tables.has_incremental_letters;
     const nc::SlotMask by_itself = says_each ? block.absolute | block.incremental : 0;
     const nc::SlotMask bare = block.given & nc::kTargetSlots & ~by_itself;
     if (bare != 0 && lacks(Group::Distance))
-        return refuse_lost_state("whether coordinates are absolute", kDistanceFix, at);
+        return refuse_lost_state(run, "whether coordinates are absolute", kDistanceFix, at);
     if (moves(block) && lacks(Group::Motion) && !is_reference)
-        return refuse_lost_state("the motion", "say `G0`, `G1`, `G2` or `G3`", at);
-    const bool needs_plane = (moves(block) && (nc::is_arc(motion) || !recordings.empty())) ||
+        return refuse_lost_state(run, "the motion", "say `G0`, `G1`, `G2` or `G3`", at);
+    const bool needs_plane = (moves(block) && (nc::is_arc(motion) || run.recordings.is_open())) ||
                              block.find(nc::Fact::NeedsPlane) != nullptr;
-    if (needs_plane && lacks(Group::Plane)) return refuse_lost_state("the plane", kPlaneFix, at);
+    if (needs_plane && lacks(Group::Plane))
+        return refuse_lost_state(run, "the plane", kPlaneFix, at);
     const bool needs_frame = block.find(nc::Fact::AddsToFrame) != nullptr;
-    if (needs_frame && (modal.lost & sema::kFrameBit) != 0)
-        return refuse_lost_state("the frame", kFrameFix, at);
+    if (needs_frame && (run.modal.lost & sema::kFrameBit) != 0)
+        return refuse_lost_state(run, "the frame", kFrameFix, at);
     const bool needs_feed =
-        moves(block) && nc::has_fact(motion, nc::Fact::Cut) && recordings.empty();
-    if (needs_feed && !block.has(nc::Slot::Feed) && (modal.lost & sema::kFeedBit) != 0)
-        return refuse_lost_state("the feed", "give the block an F", at);
+        moves(block) && nc::has_fact(motion, nc::Fact::Cut) && !run.recordings.is_open();
+    if (needs_feed && !block.has(nc::Slot::Feed) && (run.modal.lost & sema::kFeedBit) != 0)
+        return refuse_lost_state(run, "the feed", "give the block an F", at);
     return kDone;
 }
 
-Done Expander::State::require_state_for_cycle(const sema::FunctionCode& cycle, std::uint32_t given,
-                                              std::uint32_t at) {
-    if ((modal.lost & group_bit(Group::Distance)) != 0)
-        return refuse_lost_state("whether coordinates are absolute", kDistanceFix, at);
-    if ((modal.lost & group_bit(Group::Plane)) != 0)
-        return refuse_lost_state("the plane", kPlaneFix, at);
+}  // namespace
+
+Done require_state_for_cycle(Running& run, const sema::FunctionCode& cycle, std::uint32_t given,
+                             std::uint32_t at) {
+    if ((run.modal.lost & group_bit(Group::Distance)) != 0)
+        return refuse_lost_state(run, "whether coordinates are absolute", kDistanceFix, at);
+    if ((run.modal.lost & group_bit(Group::Plane)) != 0)
+        return refuse_lost_state(run, "the plane", kPlaneFix, at);
     const auto feed = std::ranges::find(cycle.parameters, sema::ParameterInfo::Kind::Feed,
                                         &sema::ParameterInfo::kind);
     const bool lacks_feed =
         feed != cycle.parameters.end() && (given >> (feed - cycle.parameters.begin()) & 1u) == 0;
-    if (lacks_feed && (modal.lost & sema::kFeedBit) != 0)
-        return refuse_lost_state("the feed", "say F before it", at);
+    if (lacks_feed && (run.modal.lost & sema::kFeedBit) != 0)
+        return refuse_lost_state(run, "the feed", "say F before it", at);
     return kDone;
 }
 
-Done Expander::State::require_frame(bool turns, std::uint32_t at) {
-    if ((modal.lost & sema::kFrameBit) != 0) return refuse_lost_state("the frame", kFrameFix, at);
-    if (turns && (modal.lost & group_bit(Group::Plane)) != 0)
-        return refuse_lost_state("the plane", kPlaneFix, at);
+Done require_frame(Running& run, bool turns, std::uint32_t at) {
+    if ((run.modal.lost & sema::kFrameBit) != 0)
+        return refuse_lost_state(run, "the frame", kFrameFix, at);
+    if (turns && (run.modal.lost & group_bit(Group::Plane)) != 0)
+        return refuse_lost_state(run, "the plane", kPlaneFix, at);
     return kDone;
 }
 
-/// Reports a block that needs to know whether the cutter's radius is compensated, where that is the
-/// operator's choice and the block is not part of it.
-Done Expander::State::require_sure_compensation(const Block& block, std::uint32_t at) {
-    const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
+Done require_sure_compensation(Running& run, const Block& block, std::uint32_t at) {
+    const PlaneIndices axes = indices_of(plane_of(run.modal[Group::Plane]));
     const nc::SlotMask plane = nc::SlotMask{1} << axes.first | nc::SlotMask{1} << axes.second;
     const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
                        has_group(block, Group::Plane) ||  // an alarm beside a contour
-                       (block.function_count != 0 && changes_tool(block));
-    if (!needs || block.skip_level == modal.comp_choice) return kDone;
-    compensation_chosen(fault(diag::CompensationInDoubt, at));
+                       (block.function_count != 0 && changes_tool(run, block));
+    if (!needs || block.skip_level == run.modal.comp_choice) return kDone;
+    compensation_chosen(run, fault(run, diag::CompensationInDoubt, at));
     return kFailed;
 }
 
-void Expander::State::compensation_chosen(DiagnosticBuilder builder) {
-    if (modal.comp_by.is_valid() && modal.comp_by.index < code.statements.size())
-        builder.note(code.statements[modal.comp_by.index], "this block may be left out");
+void compensation_chosen(Running& run, DiagnosticBuilder builder) {
+    if (run.modal.comp_by.is_valid() && run.modal.comp_by.index < run.code.statements.size())
+        builder.note(run.code.statements[run.modal.comp_by.index], "this block may be left out");
     builder.fix("leave out all of the contour: the same `/` in each of its blocks");
 }
 
-Done Expander::State::require_feed_mode(std::uint32_t at) {
-    if ((modal.lost & group_bit(Group::FeedMode)) == 0) return kDone;
-    return refuse_lost_state("what F means", "say `G94`, `G95` or `G93`", at);
+Done require_feed_mode(Running& run, std::uint32_t at) {
+    if ((run.modal.lost & group_bit(Group::FeedMode)) == 0) return kDone;
+    return refuse_lost_state(run, "what F means", "say `G94`, `G95` or `G93`", at);
 }
 
-Done Expander::State::require_speed_mode(std::uint32_t at) {
-    if ((modal.lost & group_bit(Group::SpeedMode)) == 0) return kDone;
+Done require_speed_mode(Running& run, std::uint32_t at) {
+    if ((run.modal.lost & group_bit(Group::SpeedMode)) == 0) return kDone;
     // A control without constant cutting speed knows one meaning of S.
     const auto on = static_cast<std::size_t>(Function::CuttingSpeedOn);
-    if (target.tables().forms_of[on].empty()) return kDone;
-    return refuse_lost_state("what S means", "say `G96` or `G97`", at);
+    if (run.target.tables().forms_of[on].empty()) return kDone;
+    return refuse_lost_state(run, "what S means", "say `G96` or `G97`", at);
 }
 
 // ---------------------------------------------------------------- what is written again
 
-void Expander::State::put_again(Block& block) {
+namespace {
+
+void put_again(Running& run, Block& block) {
     const auto say_mode = [&](Group group) {
-        if ((modal.restate & group_bit(group)) == 0 || has_group(block, group)) return;
-        if (modal[group] != Function::None) block.add(modal[group]);
+        if ((run.modal.restate & group_bit(group)) == 0 || has_group(block, group)) return;
+        if (run.modal[group] != Function::None) block.add(run.modal[group]);
     };
     say_mode(Group::FeedMode);
     say_mode(Group::SpeedMode);
     constexpr sema::ModalMask kFeed = sema::kFeedBit | group_bit(Group::FeedMode);
     constexpr sema::ModalMask kSpeed = sema::kSpeedBit | group_bit(Group::SpeedMode);
-    if ((modal.restate & kFeed) != 0 && modal.has_feed && !block.has(nc::Slot::Feed))
-        block.set(nc::Slot::Feed, modal.feed);
-    if ((modal.restate & kSpeed) != 0 && modal.has_speed && !block.has(nc::Slot::Speed))
-        block.set(nc::Slot::Speed, modal.speed);
-    if (block.skip_level < 0) modal.restate = 0;
+    if ((run.modal.restate & kFeed) != 0 && run.modal.has_feed && !block.has(nc::Slot::Feed))
+        block.set(nc::Slot::Feed, run.modal.feed);
+    if ((run.modal.restate & kSpeed) != 0 && run.modal.has_speed && !block.has(nc::Slot::Speed))
+        block.set(nc::Slot::Speed, run.modal.speed);
+    if (block.skip_level < 0) run.modal.restate = 0;
 }
 
-/// … in a block of its own, before a cycle that the control has itself.
-void Expander::State::say_again_alone(SourceId source, std::uint32_t at, std::size_t depth) {
-    Block& block = next_block(source);
-    put_again(block);
-    if (block.function_count == 0 && block.given == 0) return drop_block(block);
-    if (options.trace) keep_trace(at, static_cast<unsigned>(depth), source);
+}  // namespace
+
+void say_again_alone(Running& run, SourceId source, std::uint32_t at, std::size_t depth) {
+    Block& block = next_block(run, source);
+    put_again(run, block);
+    if (block.function_count == 0 && block.given == 0) return drop_block(run, block);
+    if (run.options.trace) keep_trace(run, at, static_cast<unsigned>(depth), source);
 }
 
-/// What X is, with the first block that moves or that sets another state.
-void Expander::State::say_diameter(Block& block) {
+void say_diameter(Running& run, Block& block) {
     bool acts = block.motion != Function::None || (block.given & nc::kTargetSlots) != 0;
     for (std::size_t i = 0; i < block.function_count; ++i)
         acts = acts || nc::info(block.functions[i].function).group != Group::NonModal;
-    if (!acts || block.skip_level >= 0 || !block.add(modal.diameter_due)) return;
-    modal.diameter_due = Function::None;
+    if (!acts || block.skip_level >= 0 || !block.add(run.modal.diameter_due)) return;
+    run.modal.diameter_due = Function::None;
 }
 
-/// … or in a block of its own.
-void Expander::State::say_diameter_alone(SourceId source, std::uint32_t at, std::size_t depth) {
-    next_block(source).add(modal.diameter_due);
-    modal.diameter_due = Function::None;
-    if (options.trace) keep_trace(at, static_cast<unsigned>(depth), source);
+void say_diameter_alone(Running& run, SourceId source, std::uint32_t at, std::size_t depth) {
+    next_block(run, source).add(run.modal.diameter_due);
+    run.modal.diameter_due = Function::None;
+    if (run.options.trace) keep_trace(run, at, static_cast<unsigned>(depth), source);
 }
 
-void Expander::State::warn_of_radius(const Block& block, std::uint32_t at) {
+void warn_of_radius(Running& run, const Block& block, std::uint32_t at) {
     const bool turns =
         block.find(Function::CuttingSpeedOn) != nullptr || block.motion == Function::Thread;
     const auto on = static_cast<std::size_t>(Function::DiameterOn);
-    if (!turns || target.tables().forms_of[on].empty()) return;
-    if (reported.first_time(ProgramNotice::Diameter)) fault(diag::DiameterNotSaid, at);
+    if (!turns || run.target.tables().forms_of[on].empty()) return;
+    if (run.reported.first_time(ProgramNotice::Diameter)) fault(run, diag::DiameterNotSaid, at);
 }
 
-Done Expander::State::settle_unknown(Block& block, std::uint32_t at) {
-    if (modal.lost != 0 && !require_state(block, at)) return kFailed;
-    if (!recordings.empty() || !moves(block) || !nc::has_fact(modal[Group::Motion], nc::Fact::Cut))
+Done settle_unknown(Running& run, Block& block, std::uint32_t at) {
+    if (run.modal.lost != 0 && !require_state(run, block, at)) return kFailed;
+    if (run.recordings.is_open() || !moves(block) ||
+        !nc::has_fact(run.modal[Group::Motion], nc::Fact::Cut))
         return kDone;
-    if (modal.restate != 0) put_again(block);
-    if (modal.spindle_in_doubt && modal.reported.first_time(ProgramNotice::SpindleInDoubt))
-        warn_of_choice(fault(diag::SpindleInDoubt, at));
+    if (run.modal.restate != 0) put_again(run, block);
+    if (run.modal.spindle_in_doubt && run.modal.reported.first_time(ProgramNotice::SpindleInDoubt))
+        warn_of_choice(run, fault(run, diag::SpindleInDoubt, at));
     return kDone;
 }
 
-void Expander::State::warn_of_choice(DiagnosticBuilder builder) {
-    if (modal.lost_by.is_valid() && modal.lost_by.index < code.statements.size())
-        builder.note(code.statements[modal.lost_by.index], "this block may be left out");
+void warn_of_choice(Running& run, DiagnosticBuilder builder) {
+    if (run.modal.lost_by.is_valid() && run.modal.lost_by.index < run.code.statements.size())
+        builder.note(run.code.statements[run.modal.lost_by.index], "this block may be left out");
 }
 
 // ---------------------------------------------------------------- promises, the end, arcs
 
-/// What raw text in a cycle may have changed is set back where the cycle ends.
-Done Expander::State::keep_promise(const OpenWith& promise, std::uint32_t at) {
+Done keep_promise(Running& run, const OpenWith& promise, std::uint32_t at) {
     const ModalState& before = promise.before;
-    const sema::ModalMask lost = promise.mask & modal.lost & ~before.lost;
+    const sema::ModalMask lost = promise.mask & run.modal.lost & ~before.lost;
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         const auto group = static_cast<Group>(i);
         if ((lost & group_bit(group)) == 0 || before[group] != Function::None) continue;
-        fault(diag::StateUnknown, at).arg(nc::group_name(group));
+        fault(run, diag::StateUnknown, at).arg(nc::group_name(group));
         return kFailed;
     }
-    return lost == 0 ? kDone : set_back({lost, before}, modal.lost_by, at, 0);
+    return lost == 0 ? kDone : set_back(run, {lost, before}, run.modal.lost_by, at, 0);
 }
 
-void Expander::State::warn_after_end(std::uint32_t at) {
-    if (!modal.reported.first_time(ProgramNotice::AfterEnd)) return;
-    DiagnosticBuilder builder = fault(diag::BlockAfterEnd, at);
-    if (modal.ended_by.is_valid() && modal.ended_by.index < code.statements.size())
-        builder.note(code.statements[modal.ended_by.index], "the program ends here");
+void warn_after_end(Running& run, std::uint32_t at) {
+    if (!run.modal.reported.first_time(ProgramNotice::AfterEnd)) return;
+    DiagnosticBuilder builder = fault(run, diag::BlockAfterEnd, at);
+    if (run.modal.ended_by.is_valid() && run.modal.ended_by.index < run.code.statements.size())
+        builder.note(run.code.statements[run.modal.ended_by.index], "the program ends here");
 }
 
-Done Expander::State::require_radius(const Block& block, std::uint32_t at) {
+Done require_radius(Running& run, const Block& block, std::uint32_t at) {
     if (!moves(block)) return kDone;
     bool is_point = block.has(nc::Slot::Radius) && block.at(nc::Slot::Radius) == 0;
     if ((block.given & nc::kCenterSlots) != 0) {
-        const PlaneIndices axes = indices_of(plane_of(modal[Group::Plane]));
+        const PlaneIndices axes = indices_of(plane_of(run.modal[Group::Plane]));
         is_point = true;
         for (const std::size_t axis : {axes.first, axes.second}) {
             const auto slot =
@@ -372,14 +382,14 @@ Done Expander::State::require_radius(const Block& block, std::uint32_t at) {
             if (!block.has(slot)) continue;
             double distance = block.at(slot);
             if ((block.absolute & nc::bit(slot)) != 0) {
-                if ((modal.known >> axis & 1u) == 0) return kDone;
-                distance -= modal.position[axis];
+                if ((run.modal.known >> axis & 1u) == 0) return kDone;
+                distance -= run.modal.position[axis];
             }
             is_point = is_point && std::fabs(distance) < kNoRadius;
         }
     }
     if (!is_point) return kDone;
-    fault(diag::ArcWithoutRadius, at);
+    fault(run, diag::ArcWithoutRadius, at);
     return kFailed;
 }
 

@@ -7,6 +7,8 @@
 //
 // One function, because a jump from handler to handler stays inside of one; its chapters are the
 // files in vm/.
+#include "expand/vm.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,7 +16,19 @@
 #include "base/assert.h"
 #include "base/diagnostics/expand.h"
 #include "base/text.h"
-#include "expand/state.h"
+#include "expand/blocks.h"
+#include "expand/contours.h"
+#include "expand/curves.h"
+#include "expand/cycles.h"
+#include "expand/faults.h"
+#include "expand/frame_blocks.h"
+#include "expand/native_cycles.h"
+#include "expand/running.h"
+#include "expand/scopes.h"
+#include "expand/tests.h"
+#include "expand/text_format.h"
+#include "expand/values.h"
+#include "sema/arithmetic.h"
 
 namespace kadr::expand {
 
@@ -39,67 +53,25 @@ std::int64_t integer_math(Math function, std::int64_t a, std::int64_t b) {
 
 }  // namespace
 
-void Expander::State::reserve_stack(std::size_t slots) {
-    if (stack.size() < slots) stack.resize(std::max(slots, 2 * stack.size()));
-}
-
-/// The pass that used up a slice of them asks for the next one; it belongs to it. False: there is
-/// none, or somebody wants the evaluation to end.
-bool Expander::State::more_turns(std::uint64_t& turns) {
-    constexpr std::uint64_t kSlice = 1u << 16;  // passes between two looks at `stop` and the clock
-    if (look_for_end()) return false;
-    turns = std::min(turns_reserve, kSlice);
-    turns_reserve -= turns;
-    return turns > 0;
-}
-
-bool Expander::State::look_for_end() {
-    was_stopped = options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-    is_late = options.limits.seconds > 0 &&
-              std::chrono::duration<double>(Clock::now() - began).count() > options.limits.seconds;
-    return was_stopped || is_late;
-}
-
-/// Reports why the evaluation ends before the program does.
-void Expander::State::report_end(std::uint32_t at) {
-    if (was_stopped) {
-        fault(diag::EvaluationStopped, at);
+void report_end(Running& run, std::uint32_t at) {
+    if (run.budget.was_stopped()) {
+        fault(run, diag::EvaluationStopped, at);
         return;
     }
-    fault(diag::TimeLimit, at)
-        .arg(options.limits.seconds)
+    fault(run, diag::TimeLimit, at)
+        .arg(run.options.limits.seconds)
         .fix("if it is to work longer, raise the limit: `--max-time`");
 }
 
+namespace {
+
 /// Few passes can make very much: texts and arrays that are copied look at the clock, too.
-bool Expander::State::collect_in_time(const Slot* registers) {
-    collect_garbage(registers);
-    return !look_for_end();
+bool collect_in_time(Running& run, const Slot* registers) {
+    collect_garbage(run, registers);
+    return !run.budget.look_for_end();
 }
 
-std::size_t Expander::State::pull(std::span<nc::Block> out) {
-    if (options.trace) {
-        traces.erase(traces.begin(), traces.begin() + static_cast<std::ptrdiff_t>(delivered));
-        delivered = 0;
-    }
-    batch = out.data();
-    batch_size = out.size();
-    batch_count = 0;
-    while (batch_count < batch_size && !waiting.empty()) {
-        batch[batch_count++] = std::move(waiting.front());
-        waiting.pop_front();
-    }
-    if (is_running && batch_count < batch_size) {
-        // A slice of passes can make blocks for seconds: somebody who wants it to end is heard in
-        // the next pass.
-        if (options.stop != nullptr && options.stop->load(std::memory_order_relaxed))
-            turns_reserve += std::exchange(turns_left, 1) - 1;
-        if (options.trace) run<true, false>();
-        else run<false, false>();
-    }
-    delivered = batch_count;
-    return batch_count;
-}
+}  // namespace
 
 // One line of the dispatch table and one label for each row of opcodes.def.
 #pragma GCC diagnostic push
@@ -112,13 +84,13 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
         goto* kLabels[static_cast<unsigned>(ip->op)]; \
     } while (false)
 #define KADR_JUMP KADR_GO(ip->immediate.pair.first)
-#define KADR_TURN                                                               \
-    do {                                                                        \
-        if (--turns == 0 && !more_turns(turns)) [[unlikely]]                    \
-            goto too_many_turns;                                                \
-        if constexpr (kTrace)                                                   \
-            ++loop_counts[frames.back().loops +                                 \
-                          static_cast<std::size_t>(ip->immediate.pair.second)]; \
+#define KADR_TURN                                                                      \
+    do {                                                                               \
+        if (--turns == 0 && (turns = run.budget.take_slice()) == 0) [[unlikely]]       \
+            goto too_many_turns;                                                       \
+        if constexpr (kTrace)                                                          \
+            ++run.vm.loop_counts[run.vm.calls.back().loops +                           \
+                                 static_cast<std::size_t>(ip->immediate.pair.second)]; \
     } while (false)
 #define A r[ip->a]
 #define B r[ip->b]
@@ -126,25 +98,26 @@ std::size_t Expander::State::pull(std::span<nc::Block> out) {
 #define SHORT_C static_cast<std::int16_t>(ip->c)
 #define AT static_cast<std::uint32_t>(ip - program)
 // The derivatives beside the registers; without kSlopes nothing of this is there.
-#define SLOPE_A slopes[static_cast<std::size_t>(r - stack.data()) + ip->a]
-#define SLOPE_B slopes[static_cast<std::size_t>(r - stack.data()) + ip->b]
-#define SLOPE_C slopes[static_cast<std::size_t>(r - stack.data()) + ip->c]
+#define SLOPE_A run.vm.slopes[static_cast<std::size_t>(r - run.vm.stack.data()) + ip->a]
+#define SLOPE_B run.vm.slopes[static_cast<std::size_t>(r - run.vm.stack.data()) + ip->b]
+#define SLOPE_C run.vm.slopes[static_cast<std::size_t>(r - run.vm.stack.data()) + ip->c]
 #define KADR_SLOPE(formula) \
     if constexpr (kSlopes) SLOPE_A = (formula)
 #define KADR_NO_SLOPES(count) \
-    if constexpr (kSlopes) std::fill_n(slopes.data() + (r - stack.data()) + ip->a, (count), 0.0)
+    if constexpr (kSlopes)    \
+    std::fill_n(run.vm.slopes.data() + (r - run.vm.stack.data()) + ip->a, (count), 0.0)
 
 template <bool kTrace, bool kSlopes>
-void Expander::State::run() {
+void execute(Running& run) {
     static const void* const kLabels[] = {
 #define KADR_OP(name, operands) &&op_##name,
 #include "sema/opcodes.def"
 #undef KADR_OP
     };
-    const Instruction* const program = code.instructions.data();
-    const Instruction* ip = program + pc;
-    Slot* r = stack.data() + frames.back().base;
-    std::uint64_t turns = turns_left;
+    const Instruction* const program = run.code.instructions.data();
+    const Instruction* ip = program + run.vm.pc;
+    Slot* r = run.vm.stack.data() + run.vm.calls.back().base;
+    std::uint64_t turns = run.budget.turns();
     MathFault why = MathFault::Overflow;
     goto* kLabels[static_cast<unsigned>(ip->op)];
 
@@ -160,52 +133,62 @@ void Expander::State::run() {
 
     // ---------------------------------------------------------------- ways out
 batch_or_next:
-    if (batch_count == batch_size) {
-        pc = AT + 1;
-        turns_left = turns;
+    if (run.batch.is_full()) {
+        run.vm.pc = AT + 1;
+        run.budget.keep_turns(turns);
         return;
     }
     KADR_NEXT;
 integer_overflow:
-    fault(diag::IntegerOverflow, AT);
+    fault(run, diag::IntegerOverflow, AT);
     goto stop;
 division_by_zero:
     why = MathFault::DivisionByZero;
 bad_math:
-    math_fault(why, AT);
+    math_fault(run, why, AT);
     goto stop;
 bad_shift:
-    fault(diag::ShiftFault, AT);
+    fault(run, diag::ShiftFault, AT);
     goto stop;
 lost_reference:
-    fault(diag::ReferenceLost, AT);
+    fault(run, diag::ReferenceLost, AT);
     goto stop;
 heap_beyond:
-    collect_garbage(r);
-    if (!heap.is_beyond()) KADR_NEXT;
-    if (!heap.has_too_many_elements()) {
+    collect_garbage(run, r);
+    if (!run.vm.heap.is_beyond()) KADR_NEXT;
+    if (!run.vm.heap.has_too_many_elements()) {
         constexpr std::uint64_t kMebibyte = 1u << 20;
-        fault(diag::HeapLimit, AT)
-            .arg(static_cast<std::int64_t>(options.limits.heap_bytes / kMebibyte));
+        fault(run, diag::HeapLimit, AT)
+            .arg(static_cast<std::int64_t>(run.options.limits.heap_bytes / kMebibyte));
         goto stop;
     }
 text_too_long:
-    fault(diag::ElementLimit, AT).arg(static_cast<std::int64_t>(options.limits.array_elements));
+    fault(run, diag::ElementLimit, AT)
+        .arg(static_cast<std::int64_t>(run.options.limits.array_elements));
     goto stop;
 too_many_turns:
-    if (was_stopped || is_late) {
-        report_end(AT);
+    if (run.budget.was_stopped() || run.budget.is_late()) {
+        report_end(run, AT);
         goto stop;
     }
-    fault(diag::LoopLimit, AT).arg(static_cast<std::int64_t>(options.limits.loop_turns));
+    fault(run, diag::LoopLimit, AT).arg(static_cast<std::int64_t>(run.options.limits.loop_turns));
     goto stop;
 stop:
-    pc = AT;
-    turns_left = turns;
+    run.vm.pc = AT;
+    run.budget.keep_turns(turns);
 }
 
 #pragma GCC diagnostic pop
 
-template void Expander::State::run<false, true>();  // for curves.cpp
+template void execute<false, true>(Running& run);  // for curves.cpp
+
+std::size_t pull(Running& run, std::span<nc::Block> out) {
+    run.batch.begin(out);
+    if (!run.status.is_running() || run.batch.is_full()) return run.batch.count();
+    run.budget.look_early();
+    if (run.options.trace) execute<true, false>(run);
+    else execute<false, false>(run);
+    return run.batch.count();
+}
 
 }  // namespace kadr::expand
