@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "base/assert.h"
@@ -125,7 +126,7 @@ Done emit(Running& run, const Instruction& instruction, const sema::Slot* regist
     if (is_between_positions(run) && !require_between_positions(run, plan, instruction, at))
         [[unlikely]]
         return kFailed;
-    if (!plan.functions.empty() || run.modal.tcp != ModalState::Tcp::Off) {
+    if (!plan.functions.empty() || run.modal.tcp.acts()) {
         const ToolTaken said = take_tool(run, plan, instruction, at);
         if (said != ToolTaken::Nothing) return Done(said == ToolTaken::Done);
     }
@@ -139,15 +140,16 @@ Done emit(Running& run, const Instruction& instruction, const sema::Slot* regist
 Done emit_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
                 const sema::Slot* registers, std::uint32_t at) {
     if (!require_room(run, at)) return kFailed;
-    if (run.modal.due_offset != 0) [[unlikely]]
+    if (run.modal.owed.work_offset() != 0) [[unlikely]]
         say_offset(run, plan, instruction, at);
-    if (run.modal.diameter_due != Function::None && plan.skip_level >= 0) [[unlikely]] {
+    if (run.modal.owed.diameter() != Function::None && plan.skip_level >= 0) [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
         say_diameter_alone(run, source, at, instruction.c);
     }
-    if (run.modal.is_position_due) [[unlikely]]
+    if (run.modal.owed.position()) [[unlikely]]
         write_position(run, plan, instruction, at);
-    if (run.modal.unplaced != 0 && instruction.b == 0 && is_whole_circle(run, plan)) [[unlikely]] {
+    if (run.modal.drifts.unplaced() != 0 && instruction.b == 0 && is_whole_circle(run, plan))
+        [[unlikely]] {
         const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
         if (!write_positions(run, source, at, instruction.c)) return kFailed;
     }
@@ -213,6 +215,42 @@ static inline void copy_constants(const sema::Plan& plan, int default_skip, Bloc
 
 namespace {
 
+/// Fills in the values of a block's functions, and lets the modal state follow them.
+///
+/// returns      whether something of them comes true behind the motion only; nothing: reported
+std::optional<bool> take_functions(Running& run, Block& block, const sema::Plan& plan,
+                                   const sema::Slot* values, std::uint32_t at) {
+    for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
+        if (plan.fillings[i].is_argument && !fill(run, block, plan.fillings[i], values[i], at))
+            return std::nullopt;
+    }
+    if (plan.customs != 0 && !adapt(run, block, plan, at)) [[unlikely]]
+        return std::nullopt;
+    if (!check_mirror(run, block, plan, at) || !settle_frame(run, block, at)) return std::nullopt;
+    if (run.options.warns_of_cuts) warn_of_plane(run, block, at);
+    const Function motion = plan.motion != Function::None ? plan.motion : run.modal[Group::Motion];
+    const bool owes_behind = run.modal.take_functions(block, run.target.rules());
+    const bool has_no_frame = run.modal.frame.has_fault() && is_frame_of_language(plan);
+    if (has_no_frame && !refuse_frame(run, run.modal.frame.fault(), at)) return std::nullopt;
+    const bool has_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
+    if (run.target.rules().machine_coordinates_rapid && !has_rapid && motion != Function::Rapid &&
+        block.find(Function::MachineCoordinates) != nullptr) [[unlikely]] {
+        fault(run, diag::MachineAtFeed, at)
+            .arg(run.target.name())
+            .arg(nc::info(motion).name)
+            .fix("write `G0` in the block");
+        return std::nullopt;
+    }
+    if (run.target.rules().shift_in_diameter) scale_frame_x(run, block, 2);
+    if (run.modal[Group::Diameter] == Function::None && run.options.warns_of_cuts)
+        warn_of_radius(run, block, at);
+    if (has_rapid && motion != Function::Rapid) {
+        run.modal.assume(Group::Motion, motion);
+        run.modal.owed.owe_motion();
+    }
+    return owes_behind;
+}
+
 Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
@@ -233,36 +271,9 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
         if (is_thread && run.modal[Group::Diameter] == Function::None && run.options.warns_of_cuts)
             warn_of_radius(run, block, at);
     } else if (block.function_count != 0) {
-        for (std::size_t i = 0; i < plan.fillings.size(); ++i) {
-            if (plan.fillings[i].is_argument && !fill(run, block, plan.fillings[i], values[i], at))
-                return kFailed;
-        }
-        if (plan.customs != 0 && !adapt(run, block, plan, at)) [[unlikely]]
-            return kFailed;
-        if (!check_mirror(run, block, plan, at) || !settle_frame(run, block, at)) return kFailed;
-        if (run.options.warns_of_cuts) warn_of_plane(run, block, at);
-        const Function motion =
-            plan.motion != Function::None ? plan.motion : run.modal[Group::Motion];
-        owes_behind = run.modal.take_functions(block, run.target.rules());
-        if (run.modal.frame_fault != control::FrameFormFault::None && is_frame_of_language(plan))
-            return refuse_frame(run, run.modal.frame_fault, at);
-        const bool has_rapid = (plan.customs & sema::custom::kMachineRapid) != 0;
-        if (run.target.rules().machine_coordinates_rapid && !has_rapid &&
-            motion != Function::Rapid && block.find(Function::MachineCoordinates) != nullptr)
-            [[unlikely]] {
-            fault(run, diag::MachineAtFeed, at)
-                .arg(run.target.name())
-                .arg(nc::info(motion).name)
-                .fix("write `G0` in the block");
-            return kFailed;
-        }
-        if (run.target.rules().shift_in_diameter) scale_frame_x(run, block, 2);
-        if (run.modal[Group::Diameter] == Function::None && run.options.warns_of_cuts)
-            warn_of_radius(run, block, at);
-        if (has_rapid && motion != Function::Rapid) {
-            run.modal.assume(Group::Motion, motion);
-            run.modal.restate_motion = true;
-        }
+        const std::optional<bool> taken = take_functions(run, block, plan, values, at);
+        if (!taken) return kFailed;
+        owes_behind = *taken;
     }
     if ((plan.customs & sema::custom::kFeedCounts) != 0 &&
         run.modal[Group::FeedMode] == Function::FeedPerRevolution) [[unlikely]] {
@@ -297,18 +308,14 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
         !take_position(run, block, plan, at)) [[unlikely]] {
         return kFailed;
     }
-    if (run.modal.restate_motion && block.motion == Function::None &&
-        (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0) {
-        block.motion = run.modal[Group::Motion];
-        run.modal.restate_motion = false;
-    }
+    if ((block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0) run.modal.put_motion(block);
     if (!run.recordings.is_open()) {
-        if ((run.modal.is_edge_off || run.modal.is_feed_deleted) && !check_move(run, block, at))
-            [[unlikely]]
+        if ((run.modal.length.is_edge_off() || run.modal.feed.is_deleted()) &&
+            !check_move(run, block, at)) [[unlikely]]
             return kFailed;
-        const bool owes_incremental = run.modal.owes_incremental;
-        if ((run.modal.adapts() & block.given) != 0 && !adapt_increments(run, block, plan, at))
-            [[unlikely]]
+        const bool owes_incremental = run.modal.owed.incremental();
+        if ((run.modal.drifts.adapts() & block.given) != 0 &&
+            !adapt_increments(run, block, plan, at)) [[unlikely]]
             return kFailed;
         if (owes_incremental && block.find(Function::Absolute) == nullptr) [[unlikely]]
             return_to_increments(run, block);
@@ -316,25 +323,25 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
     if (block.function_count != 0 &&
         !(check_cutting_speed(run, block, at) && check_tool_change(run, block, at)))
         return kFailed;
-    if (run.modal.comp_choice != ModalState::kNoChoice && !run.recordings.is_open() &&
+    if (run.modal.compensation.is_choice() && !run.recordings.is_open() &&
         !require_sure_compensation(run, block, at)) [[unlikely]]
         return kFailed;
     if (run.modal.is_compensation_due() && !check_pitch(run, block, at)) [[unlikely]]
         return kFailed;
     if ((plan.customs & sema::custom::kReference) != 0) say_reference(run, block);
-    if (run.modal.is_stretched && nc::is_arc(run.modal[Group::Motion]) &&
+    if (run.modal.frame.is_stretched() && nc::is_arc(run.modal[Group::Motion]) &&
         (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 &&
-        run.modal.frame.is_stretched(run.modal[Group::Plane])) {
+        run.modal.frame.now().is_stretched(run.modal[Group::Plane])) {
         fault(run, diag::ArcUnderScale, at);
         return kFailed;
     }
-    if ((run.modal.lost | run.modal.restate) != 0 && !settle_unknown(run, block, at)) [[unlikely]]
+    if (run.modal.lost.needs_care() && !settle_unknown(run, block, at)) [[unlikely]]
         return kFailed;
     if (nc::is_arc(run.modal[Group::Motion]) && !run.recordings.is_open() &&
         !require_radius(run, block, at))
         return kFailed;
-    if (run.modal.tcp != ModalState::Tcp::Off && !check_leading(run, block, at)) return kFailed;
-    if (run.modal.diameter_due != Function::None && !run.recordings.is_open()) [[unlikely]]
+    if (run.modal.tcp.acts() && !check_leading(run, block, at)) return kFailed;
+    if (run.modal.owed.diameter() != Function::None && !run.recordings.is_open()) [[unlikely]]
         say_diameter(run, block);
     if (run.options.warns_of_cuts && !run.modal.reported.has_reported(ProgramNotice::Rapid) &&
         !run.recordings.is_open())
@@ -398,7 +405,8 @@ Done fill_feed(Running& run, Block& block, const Filling& filling, double value,
         not_given(run, "F", word_of(run, filling, at));
         return kFailed;
     }
-    if (run.modal.lost != 0 && !require_feed_mode(run, word_of(run, filling, at))) [[unlikely]]
+    if (run.modal.lost.what() != 0 && !require_feed_mode(run, word_of(run, filling, at)))
+        [[unlikely]]
         return kFailed;
     const Function mode = run.modal[Group::FeedMode];
     Filling::Form form = filling.form;
@@ -425,7 +433,7 @@ Done fill_feed(Running& run, Block& block, const Filling& filling, double value,
     if (needed != mode) {
         DiagnosticBuilder builder = fault(run, diag::FeedMode, word_of(run, filling, at));
         builder.arg(feed_word(needed)).arg(feed_word(mode));
-        const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+        const SourceId by = run.modal.by(Group::FeedMode);
         if (by.is_valid() && by.index < run.code.statements.size())
             builder.note(run.code.statements[by.index], "the feed mode was set here");
         builder.fix(std::string("say `") + feed_code(needed) + "` before it, or give the feed in " +
@@ -456,7 +464,8 @@ Done fill_speed(Running& run, Block& block, const Filling& filling, double value
         not_given(run, "S", word_of(run, filling, at));
         return kFailed;
     }
-    if (run.modal.lost != 0 && !require_speed_mode(run, word_of(run, filling, at))) [[unlikely]]
+    if (run.modal.lost.what() != 0 && !require_speed_mode(run, word_of(run, filling, at)))
+        [[unlikely]]
         return kFailed;
     const bool is_cutting = run.modal[Group::SpeedMode] == Function::CuttingSpeedOn;
     Filling::Form form = filling.form;
@@ -491,18 +500,18 @@ Done fill_speed(Running& run, Block& block, const Filling& filling, double value
 
 double state_value(const Running& run, sema::StateValue which) {
     if (which == sema::StateValue::Feed) {
-        if (!run.modal.has_feed) return sema::kNotGivenNumber;
+        if (!run.modal.feed.is_known()) return sema::kNotGivenNumber;
         switch (run.modal[Group::FeedMode]) {
-            case Function::FeedPerRevolution: return run.modal.feed * sema::kSecondForm;
-            case Function::FeedPerMinute: return run.modal.feed / kMinute;
+            case Function::FeedPerRevolution: return run.modal.feed.value() * sema::kSecondForm;
+            case Function::FeedPerMinute: return run.modal.feed.value() / kMinute;
             default: return sema::kNotGivenNumber;
         }
     }
-    if (!run.modal.has_speed) return sema::kNotGivenNumber;
+    if (!run.modal.speed.is_known()) return sema::kNotGivenNumber;
     if (run.modal[Group::SpeedMode] == Function::CuttingSpeedOn) {
-        return run.modal.speed * kMmPerMeter / kMinute * sema::kSecondForm;
+        return run.modal.speed.value() * kMmPerMeter / kMinute * sema::kSecondForm;
     }
-    return run.modal.speed / kMinute;
+    return run.modal.speed.value() / kMinute;
 }
 
 std::int64_t spindle_code(const Running& run) {
@@ -519,7 +528,7 @@ Done emit_text(Running& run, const Instruction& instruction, const sema::Slot* r
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = run.vm.heap.text(registers[instruction.a].integer);
     const bool is_raw = instruction.b == 1;
-    if (is_raw && run.modal.diameter_due != Function::None)
+    if (is_raw && run.modal.owed.diameter() != Function::None)
         say_diameter_alone(run, source, at, instruction.c);
     std::string_view rest = text;
     do {
@@ -538,7 +547,7 @@ Done emit_text(Running& run, const Instruction& instruction, const sema::Slot* r
     run.modal.forget(source);
     // No word of this control tells what X is, so no text changes it.
     if (run.target.tables().forms_of[static_cast<std::size_t>(Function::DiameterOff)].empty())
-        run.modal.lost &= ~sema::group_bit(Group::Diameter);
+        run.modal.lost.regain(sema::group_bit(Group::Diameter));
     return kDone;
 }
 

@@ -168,6 +168,37 @@ std::int64_t make_contour(Running& run, const PlaneContour& contour, std::uint32
     return array;
 }
 
+namespace {
+
+/// Both contours lie in one plane, and X of both is a diameter, or of none.
+Done require_same_words(Running& run, const PlaneContour& contour, const PlaneContour& other,
+                        std::uint32_t where) {
+    if (contour.plane == other.plane && contour.is_diameter == other.is_diameter) return kDone;
+    fault(run, diag::ContourPlane, where)
+        .arg("a contour")
+        .arg(axes_text(wording_of(contour)))
+        .arg("another one")
+        .arg(axes_text(wording_of(other)));
+    return kFailed;
+}
+
+/// The contours beside one.
+Done offset_one(Running& run, const PlaneContour& contour, const Instruction& instruction,
+                Slot* registers, std::uint32_t where) {
+    const double distance = registers[instruction.b + 1].number;
+    const auto pieces =
+        path::offset(contour.elements, distance, [&run] { return run.budget.look_for_end(); });
+    if (!pieces) {
+        offset_fault(run, pieces.error(), distance, where);
+        return kFailed;
+    }
+    registers[instruction.a].integer = make_contours(
+        run, *pieces, contour, static_cast<std::uint32_t>(instruction.immediate.pair.second));
+    return kDone;
+}
+
+}  // namespace
+
 Done contour_value(Running& run, const Instruction& instruction, Slot* registers,
                    std::uint32_t where) {
     const auto function = static_cast<ContourFunction>(instruction.immediate.pair.first);
@@ -250,17 +281,8 @@ Done contour_value(Running& run, const Instruction& instruction, Slot* registers
             return kDone;
         }
         case ContourFunction::Reverse: return put_made(path::reversed(contour.elements));
-        case ContourFunction::Offset: {
-            const double distance = arguments[1].number;
-            const auto pieces = path::offset(contour.elements, distance,
-                                             [&run] { return run.budget.look_for_end(); });
-            if (!pieces) {
-                offset_fault(run, pieces.error(), distance, where);
-                return kFailed;
-            }
-            result.integer = make_contours(run, *pieces, contour, layout);
-            return kDone;
-        }
+        case ContourFunction::Offset:
+            return offset_one(run, contour, instruction, registers, where);
         case ContourFunction::Shift:
             return put_made(path::shifted(contour.elements, vector_argument(arguments + 1)));
         case ContourFunction::Rotate: {
@@ -296,15 +318,7 @@ Done contour_value(Running& run, const Instruction& instruction, Slot* registers
         case ContourFunction::Intersections: {
             const PlaneContour other = read_contour(run, arguments[1]);
             const bool both = !contour.elements.empty() && !other.elements.empty();
-            if (both &&
-                (contour.plane != other.plane || contour.is_diameter != other.is_diameter)) {
-                fault(run, diag::ContourPlane, where)
-                    .arg("a contour")
-                    .arg(axes_text(wording))
-                    .arg("another one")
-                    .arg(axes_text(wording_of(other)));
-                return kFailed;
-            }
+            if (both && !require_same_words(run, contour, other, where)) return kFailed;
             return put_points(path::intersections(contour.elements, other.elements));
         }
         case ContourFunction::Crossings: {
@@ -355,14 +369,7 @@ Done offset_all(Running& run, const Instruction& instruction, Slot* registers,
             fault(run, diag::ContourOpen, where).arg("the offset of several contours, one");
             return kFailed;
         }
-        if (!contours.empty() && (one.plane != like.plane || one.is_diameter != like.is_diameter)) {
-            fault(run, diag::ContourPlane, where)
-                .arg("a contour")
-                .arg(axes_text(wording_of(like)))
-                .arg("another one")
-                .arg(axes_text(wording_of(one)));
-            return kFailed;
-        }
+        if (!contours.empty() && !require_same_words(run, like, one, where)) return kFailed;
         contours.push_back(std::move(one.elements));
         like.plane = one.plane;
         like.is_diameter = one.is_diameter;
@@ -386,11 +393,11 @@ Done offset_all(Running& run, const Instruction& instruction, Slot* registers,
 void begin_contour(Running& run) {
     run.recordings.begin(run.modal);
     // A contour is the same wherever it is made: in coordinates, cut, from a point of its own.
-    run.modal.known = 0;
-    run.modal.restate_motion = false;
+    run.modal.position.lose_all();
+    run.modal.owed.owe_motion(false);
     run.modal.assume(Group::Motion, Function::Line);
     run.modal.assume(Group::Distance, Function::Absolute);
-    run.modal.lost &= ~(sema::group_bit(Group::Motion) | sema::group_bit(Group::Distance));
+    run.modal.lost.regain((sema::group_bit(Group::Motion) | sema::group_bit(Group::Distance)));
 }
 
 std::int64_t end_contour(Running& run, std::uint32_t layout) {
@@ -474,7 +481,7 @@ Done keep(Running& run, const Block& block, std::uint32_t where) {
         wording.point({run.modal.position[axes.first], run.modal.position[axes.second]});
     if (!recording.has_start) {
         const bool both =
-            (run.modal.known >> axes.first & 1u) != 0 && (run.modal.known >> axes.second & 1u) != 0;
+            run.modal.position.knows(axes.first) && run.modal.position.knows(axes.second);
         if (!both || is_arc) {
             fault(run, diag::ContourStart, where)
                 .arg(kAxisNames[axes.first])
@@ -648,7 +655,7 @@ Done follow_contour(Running& run, const Instruction& instruction, const Slot* re
     const PlaneIndices axes = wording.axes();
     const Vec2 begin = contour->elements.front().from;
     const bool is_known =
-        (run.modal.known >> axes.first & 1u) != 0 && (run.modal.known >> axes.second & 1u) != 0;
+        run.modal.position.knows(axes.first) && run.modal.position.knows(axes.second);
     const Vec2 here =
         wording.point({run.modal.position[axes.first], run.modal.position[axes.second]});
     const bool is_there = is_known && (here - begin).norm() <= path::kSamePoint;
@@ -697,13 +704,13 @@ Done finish_followed(Running& run, Block& block, const FollowedBlock& next, std:
             return kFailed;
         }
     }
-    const bool leads = run.modal.tcp != ModalState::Tcp::Off && !run.recordings.is_open();
+    const bool leads = run.modal.tcp.acts() && !run.recordings.is_open();
     if ((!run.recordings.is_open() && !check_move(run, block, where)) ||
         (leads && !check_leading(run, block, where))) {
         drop_block(run, block);
         return kFailed;
     }
-    if ((run.modal.lost | run.modal.restate) != 0 && !settle_unknown(run, block, where)) {
+    if (run.modal.lost.needs_care() && !settle_unknown(run, block, where)) {
         drop_block(run, block);
         return kFailed;
     }
@@ -712,7 +719,7 @@ Done finish_followed(Running& run, Block& block, const FollowedBlock& next, std:
         return kFailed;
     }
     if (run.modal.has_ended && !run.recordings.is_open()) warn_after_end(run, where);
-    if (run.modal.diameter_due != Function::None && !run.recordings.is_open())
+    if (run.modal.owed.diameter() != Function::None && !run.recordings.is_open())
         say_diameter(run, block);
     run.modal.take_words(block);
     if (owes_behind) run.modal.take_behind(block, run.target.rules());

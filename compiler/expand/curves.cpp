@@ -166,7 +166,7 @@ Done start_curve(Running& run, const Instruction& instruction, std::uint32_t whe
     bool is_there = true;
     for (std::size_t i = 0; i < 3; ++i) {
         if (!curve.is_given[i]) continue;
-        const bool is_known = (run.modal.known >> axes[i] & 1u) != 0;
+        const bool is_known = run.modal.position.knows(axes[i]);
         const double distance =
             run.modal.position[axes[i]] / word_scale(axes[i], run.modal.is_diameter) -
             first->position[static_cast<Eigen::Index>(i)];
@@ -275,7 +275,7 @@ CurveProgress follow_curve(Running& run, const Instruction& instruction, std::ui
     if (run.curve.following->fit == nullptr) {
         // A position by itself behind the spline is no further control point of it.
         run.modal.assume(Group::Motion, Function::Line);
-        run.modal.restate_motion = true;
+        run.modal.owed.owe_motion();
     } else if (run.curve.following->fit->fault() == path::FitFault::Jump) {
         jump_fault(run, instruction, where, run.curve.following->fit->parameter());
         return CurveProgress::Failed;

@@ -39,8 +39,8 @@ Done check_cutting_speed(Running& run, const Block& block, std::uint32_t at) {
         return kFailed;
     }
     const bool begins = block.find(Function::CuttingSpeedOn) != nullptr;
-    if (!begins || block.has(nc::Slot::Speed) || run.modal.has_speed ||
-        run.modal.had_cutting_speed || run.modal.lost != 0)
+    if (!begins || block.has(nc::Slot::Speed) || run.modal.speed.is_known() ||
+        run.modal.speed.was_of_cutting() || run.modal.lost.what() != 0)
         return kDone;
     const auto alarm = run.target.alarm(diag::CuttingSpeedMissing);
     if (!alarm) return kDone;
@@ -57,7 +57,7 @@ Done check_tool_change(Running& run, const Block& block, std::uint32_t at) {
         !changes_tool(run, block))
         return kDone;
     auto builder = fault(run, diag::ToolUnderCompensation, at);
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    const SourceId by = run.modal.by(Group::RadiusComp);
     if (by.is_valid() && by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "the compensation began here");
     builder.fix("end it before: `G40` with a move");
@@ -71,7 +71,7 @@ Done check_pitch(Running& run, const Block& block, std::uint32_t at) {
     const bool begins = nc::has_fact(run.modal[Group::RadiusComp], nc::Fact::CompSide);
     auto builder = fault(run, diag::CompensationOnArc, at);
     builder.arg(begins ? "begins" : "ends");
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    const SourceId by = run.modal.by(Group::RadiusComp);
     const bool is_here = by.is_valid() && by.index == block.source.index;
     if (!is_here && by.is_valid() && by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index],
@@ -87,7 +87,7 @@ Done check_mirror(Running& run, const Block& block, const sema::Plan& plan, std:
     if (mirror == nullptr || replaces == run.target.rules().mirror_replaces) return kDone;
     constexpr std::size_t kX = nc::parameter_of<Function::Mirror>("x");
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!mirror->has(kX + i) || !run.modal.frame.is_mirrored[i]) continue;
+        if (!mirror->has(kX + i) || !run.modal.frame.now().is_mirrored[i]) continue;
         fault(run, diag::MirrorAgain, at)
             .arg(replaces ? "the control of this source" : run.target.name())
             .arg(kAxisNames[i])
@@ -102,7 +102,7 @@ void warn_of_plane(Running& run, const Block& block, std::uint32_t at) {
     if (!is_zx && block.find(Function::PlaneYz) == nullptr) return;
     const bool is_turned = run.modal[Group::Diameter] != Function::None;
     const bool is_mill = run.modal[Group::Plane] == Function::PlaneXy && !is_turned;
-    if (!is_mill || !run.modal.has_tool_in || run.reported.has_reported(ProgramNotice::Plane) ||
+    if (!is_mill || !run.modal.tool.in() || run.reported.has_reported(ProgramNotice::Plane) ||
         run.target.rules().length_axis == nc::LengthAxis::Z)
         return;
     if (!is_allowed(run, diag::LengthTurns, at))
@@ -119,7 +119,7 @@ Done check_cut(Running& run, const Block& block, std::uint32_t at) {
     const bool moves = (block.given & (nc::kTargetSlots | nc::kCenterSlots)) != 0 ||
                        (block.function_count != 0 && block.find(Function::ToolVector) != nullptr);
     if (!is_cut || !moves || block.find(Function::ReferenceReturn) != nullptr) return kDone;
-    if (run.modal.is_feed_lost) return refuse_lost_feed(run, at, run.vm.calls.size());
+    if (run.modal.feed.is_lost()) return refuse_lost_feed(run, at, run.vm.calls.size());
     if (run.options.warns_of_cuts) warn_of_cut(run, at);
     return Done(!run.status.has_failed());
 }
@@ -128,7 +128,7 @@ Done refuse_lost_feed(Running& run, std::uint32_t at, std::size_t depth) {
     const Function mode = run.modal[Group::FeedMode];
     DiagnosticBuilder builder = fault_in(run, diag::FeedLost, at, depth);
     builder.arg(feed_word(mode));
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    const SourceId by = run.modal.by(Group::FeedMode);
     if (by.is_valid() && by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "the feed mode was set here");
     builder.fix(std::string("say F in ") + feed_unit(mode) + " behind `" + feed_code(mode) + '`');
@@ -157,7 +157,7 @@ static void warn_of_selection(DiagnosticBuilder builder, double tool) {
 }
 
 void warn_of_cut(Running& run, std::uint32_t at, bool needs_feed) {
-    if (needs_feed && !run.modal.has_feed && run.reported.first_time(ProgramNotice::Feed)) {
+    if (needs_feed && !run.modal.feed.is_known() && run.reported.first_time(ProgramNotice::Feed)) {
         // Where the control alarms, no text is written that would; the common core has no alarms.
         if (const auto alarm = run.target.alarm(diag::FeedMissing)) {
             const std::string number = alarm->number.empty() ? alarm->text : alarm->number;
@@ -171,9 +171,10 @@ void warn_of_cut(Running& run, std::uint32_t at, bool needs_feed) {
     }
     if (run.modal.is_spindle_turning() && misses_tool(run)) {
         run.modal.reported.count_as_reported(ProgramNotice::NoTool);
-        if (!run.modal.has_tool) fault(run, diag::ToolNeverCalled, at);
+        if (!run.modal.tool.called()) fault(run, diag::ToolNeverCalled, at);
         else if (!nc::selects_at_once(run.target.rules(), changer(run)))
-            warn_of_selection(fault(run, diag::ToolNeverCalled, at), run.modal.tool);
+            warn_of_selection(fault(run, diag::ToolNeverCalled, at),
+                              run.modal.tool.called().value_or(0));
     }
     if (!run.modal.is_spindle_turning() &&
         !run.modal.reported.has_reported(ProgramNotice::SpindleStopped))
@@ -185,17 +186,18 @@ namespace {
 void warn_of_spindle(Running& run, std::uint32_t at) {
     const bool is_on = run.modal[Group::Spindle] == Function::SpindleCw ||
                        run.modal[Group::Spindle] == Function::SpindleCcw;
-    const DiagnosticRow& row = is_on && run.modal.lacks_speed
+    const DiagnosticRow& row = is_on && run.modal.speed.is_missing()
                                    ? static_cast<const DiagnosticRow&>(diag::SpindleWithoutSpeed)
                                    : diag::FeedWithSpindleStopped;
     if (!is_allowed(run, row, at))
         run.modal.reported.count_as_reported(ProgramNotice::SpindleStopped);
     DiagnosticBuilder builder = fault(run, row, at);
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::Spindle)];
+    const SourceId by = run.modal.by(Group::Spindle);
     if (run.modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
         by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "it stands from here on");
-    if (is_on && run.modal.lacks_speed && by.is_valid() && by.index < run.code.statements.size())
+    if (is_on && run.modal.speed.is_missing() && by.is_valid() &&
+        by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "it is started here, without S");
 }
 
@@ -212,7 +214,7 @@ void check_rapid(Running& run, const Block& block, std::uint32_t at) {
         block.find(Function::Probe) != nullptr)
         return;
     const nc::SlotMask word = bit(nc::Slot::Z);
-    const bool is_known = (run.modal.known >> kZ & 1u) != 0;
+    const bool is_known = run.modal.position.knows(kZ);
     const bool is_modal = run.modal[Group::Distance] == Function::Incremental;
     const bool is_distance =
         (block.incremental & word) != 0 || (is_modal && !(block.absolute & word));

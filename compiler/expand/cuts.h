@@ -8,11 +8,11 @@ namespace kadr::expand {
 
 /// Whether no tool was called, and that has not been reported yet.
 inline bool misses_tool(const Running& run) {
-    return run.modal.lacks_tool && !run.modal.reported.has_reported(ProgramNotice::NoTool);
+    return run.modal.tool.is_missing() && !run.modal.reported.has_reported(ProgramNotice::NoTool);
 }
 /// Whether a block that cuts is to be looked at: nearly all are not.
 inline bool is_cut_doubtful(const Running& run) {
-    return !run.modal.has_feed ||
+    return !run.modal.feed.is_known() ||
            (run.options.warns_of_cuts && (misses_tool(run) || !run.modal.is_spindle_turning()));
 }
 /// A constant cutting speed that is none, and a limit that lets no spindle turn.

@@ -232,8 +232,8 @@ Done say_cycle(Running& run, const Instruction& instruction, const sema::Slot* r
     }
     if (!goes_on) {
         run.cycle.initial = run.modal.position[kToolAxis];
-        run.cycle.is_initial_known = (run.modal.known >> kToolAxis & 1u) != 0;
-        run.cycle.frame = run.modal.frame;
+        run.cycle.is_initial_known = run.modal.position.knows(kToolAxis);
+        run.cycle.frame = run.modal.frame.now();
         run.cycle.work_offset = run.modal.work_offset;
     }
     run.cycle.is_active = source.kind != SourceCycle::Kind::Once;
@@ -309,7 +309,8 @@ std::optional<double> initial_level(Running& run, std::uint32_t at) {
     control::KnownPoint begin;
     begin.value[kToolAxis] = run.cycle.initial;
     begin.is_known[kToolAxis] = run.cycle.is_initial_known;
-    const control::KnownPoint here = control::change_frame(begin, run.cycle.frame, run.modal.frame);
+    const control::KnownPoint here =
+        control::change_frame(begin, run.cycle.frame, run.modal.frame.now());
     if (here.is_known[kToolAxis] && run.modal.work_offset == run.cycle.work_offset)
         return here.value[kToolAxis];
     fault(run, diag::SourceCycleLevel, at)
@@ -322,9 +323,9 @@ std::optional<double> initial_level(Running& run, std::uint32_t at) {
 /// divided by the speed.
 Done complete_pitch(Running& run, std::size_t pitch, std::uint32_t at) {
     const bool is_pitch = run.modal[Group::FeedMode] == Function::FeedPerRevolution;
-    const bool has_speed = run.modal.has_speed && run.modal.speed > 0 &&
+    const bool has_speed = run.modal.speed.is_known() && run.modal.speed.value() > 0 &&
                            run.modal[Group::SpeedMode] != Function::CuttingSpeedOn;
-    const bool is_known = run.modal.has_feed && (is_pitch || has_speed) &&
+    const bool is_known = run.modal.feed.is_known() && (is_pitch || has_speed) &&
                           run.modal[Group::FeedMode] != Function::FeedInverseTime;
     if (!is_known) {
         fault(run, diag::SourceCyclePitch, at)
@@ -332,7 +333,9 @@ Done complete_pitch(Running& run, std::size_t pitch, std::uint32_t at) {
             .arg(is_pitch ? "" : " and S");
         return kFailed;
     }
-    set_argument(run.cycle, pitch, is_pitch ? run.modal.feed : run.modal.feed / run.modal.speed);
+    set_argument(
+        run.cycle, pitch,
+        is_pitch ? run.modal.feed.value() : run.modal.feed.value() / run.modal.speed.value());
     return kDone;
 }
 
@@ -406,7 +409,8 @@ Done call_cycle(Running& run, const Instruction& instruction, const sema::Slot* 
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         if ((run.cycle.given >> i & 1u) == 0) continue;
         const sema::ParameterInfo& parameter = function.parameters[i];
-        const double factor = spared_factor(*run.cycle.source, run.modal.frame, parameter.name);
+        const double factor =
+            spared_factor(*run.cycle.source, run.modal.frame.now(), parameter.name);
         set_number(parameter, run.cycle.arguments[i] / factor, run.vm.stack[base + parameter.slot]);
     }
     return kDone;
@@ -428,9 +432,8 @@ void say_distance(Running& run, Function function, SourceId source, std::uint32_
 void leave_cycle(Running& run, const Instruction& instruction, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     run.cycle.is_running = false;
-    run.modal.assume(Group::Motion, run.cycle.motion);
-    run.modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
-    run.modal.restate_motion = true;
+    run.modal.note(Group::Motion, run.cycle.motion, source);
+    run.modal.owed.owe_motion();
     if (run.cycle.was_incremental)
         say_distance(run, Function::Incremental, source, at, instruction.c);
 }

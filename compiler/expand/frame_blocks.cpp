@@ -53,11 +53,13 @@ Done check_factor(Running& run, double factor, std::uint32_t at) {
     builder.arg(factor);
     if (is_sized)
         builder.fix(
-            "use `mirror(…)` to turn a side over, in a FANUC's source `G51.1`, in a "
+            "use `mirror(…)` to turn a side over, in a FANUC's source "
+            "`G51.1`, in a "
             "SINUMERIK's `AMIRROR`");
     else if (factor == 0)
         builder.fix(
-            "`scale_off()` ends a scale, in a FANUC's source `G50`, in a SINUMERIK's "
+            "`scale_off()` ends a scale, in a FANUC's source `G50`, in a "
+            "SINUMERIK's "
             "`SCALE`");
     else builder.fix("is it a percentage? 1 is the size as programmed");
     return kFailed;
@@ -81,16 +83,16 @@ Done settle_frame(Running& run, Block& block, std::uint32_t at) {
 Done change_frame(Running& run, const Instruction& instruction, const sema::Slot* registers,
                   std::uint32_t at) {
     if (run.recordings.is_open()) return refuse_in_contour(run, "a frame", at);
-    if (run.modal.tilt == ModalState::PlaneTilt::Closed)
+    if (run.modal.tilt.kind() == PlaneTilt::Closed)
         return refuse_in_tilted_plane(run, "a frame", at);
-    if (run.modal.tcp == ModalState::Tcp::Length) return refuse_under_tcp(run, "a frame", at);
+    if (run.modal.tcp.is_length()) return refuse_under_tcp(run, "a frame", at);
     const sema::Slot* values = registers + instruction.a;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     const auto change = static_cast<sema::WithFrame>(instruction.b);
     const std::size_t count = change == sema::WithFrame::Rotate  ? 4
                               : change == sema::WithFrame::Scale ? 7
                                                                  : 3;
-    if (run.modal.lost != 0 && !require_frame(run, change == sema::WithFrame::Rotate, at))
+    if (run.modal.lost.what() != 0 && !require_frame(run, change == sema::WithFrame::Rotate, at))
         return kFailed;
     std::array<double, 7> numbers{};
     std::array<bool, 7> is_given{};
@@ -107,7 +109,7 @@ Done change_frame(Running& run, const Instruction& instruction, const sema::Slot
     };
     constexpr std::size_t kX = parameter_of_all<"x", Function::Shift, Function::Mirror>();
     const std::array<bool, 3> given{is_given[kX], is_given[kX + 1], is_given[kX + 2]};
-    control::FrameSteps steps = run.modal.steps;
+    control::FrameSteps steps = run.modal.frame.steps();
     switch (change) {
         case sema::WithFrame::Shift: steps.shift_add(three(kX), given); break;
         case sema::WithFrame::Rotate:
@@ -129,7 +131,7 @@ Done change_frame(Running& run, const Instruction& instruction, const sema::Slot
     const auto [next, why] = steps.frame();
     if (why != control::FrameFormFault::None) return refuse_frame(run, why, at);
     write_frame(run, next, source, at, instruction.c);
-    run.modal.steps = steps;
+    run.modal.frame.name_steps(steps);
     return Done(!run.status.has_failed());
 }
 
@@ -141,10 +143,10 @@ Done refuse_frame(Running& run, control::FrameFormFault why, std::uint32_t at) {
 
 void write_position(Running& run, const sema::Plan& plan, const Instruction& instruction,
                     std::uint32_t at) {
-    const nc::SlotMask known = run.modal.known & nc::kTargetSlots;
+    const nc::SlotMask known = run.modal.position.known() & nc::kTargetSlots;
     const bool moves = plan.given != 0 || !plan.fillings.empty();
     if (!moves || run.recordings.is_open()) return;
-    run.modal.is_position_due = false;
+    run.modal.owed.owe_position(false);
     if (known == 0) return;
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(run, source);
@@ -168,10 +170,9 @@ void scale_frame_x(const Running& run, Block& block, double factor) {
 
 void write_frame(Running& run, const control::ProgramFrame& next, SourceId source, std::uint32_t at,
                  unsigned depth) {
-    const control::ProgramFrame from = run.modal.frame;
+    const control::ProgramFrame from = run.modal.frame.now();
     // Whatever acts is deleted.
-    const bool is_lost = (run.modal.lost & sema::kFrameBit) != 0 ||
-                         run.modal.frame_fault != control::FrameFormFault::None;
+    const bool is_lost = run.modal.lost.has(sema::kFrameBit) || run.modal.frame.has_fault();
     if (from == next && !is_lost) return;
     const auto add = [&](Function function, std::span<const double> values,
                          std::span<const bool> given) {
@@ -229,16 +230,16 @@ void write_frame(Running& run, const control::ProgramFrame& next, SourceId sourc
     }
     if (!next.is_stretched(next.plane)) add_rotation();
     run.modal.put_frame(next, source);
-    run.modal.lost &= ~sema::kFrameBit;
+    run.modal.lost.regain(sema::kFrameBit);
 }
 
 void put_frame_again(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
-    const bool is_known = (run.modal.lost & sema::kFrameBit) == 0;
-    if (!is_known || run.modal.frame.is_identity()) return;
-    run.modal.lost |= sema::kFrameBit;  // whatever acts is deleted
-    const control::FrameSteps steps = run.modal.steps;
-    write_frame(run, run.modal.frame, source, at, depth);
-    run.modal.steps = steps;
+    const bool is_known = !run.modal.lost.has(sema::kFrameBit);
+    if (!is_known || run.modal.frame.now().is_identity()) return;
+    run.modal.lost.lose_again(sema::kFrameBit);  // whatever acts is deleted
+    const control::FrameSteps steps = run.modal.frame.steps();
+    write_frame(run, run.modal.frame.now(), source, at, depth);
+    run.modal.frame.name_steps(steps);
 }
 
 }  // namespace kadr::expand

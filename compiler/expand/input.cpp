@@ -122,7 +122,7 @@ bool names_axes(const sema::Plan& plan, const Instruction& instruction) {
 /// The number of the length that acts behind the block; 0: none. Nothing: nobody knows.
 std::optional<double> length_behind(const ModalState& modal, const Block& block) {
     bool is_on = modal[Group::LengthComp] == Function::LengthCompOn;
-    std::optional<double> number = modal.length.offset;
+    std::optional<double> number = modal.length.offset();
     if (modal[Group::LengthComp] == Function::None) number.reset();
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Invocation& invocation = block.functions[i];
@@ -147,11 +147,11 @@ Function name_length_axis(ModalState& modal, Block& block) {
     const std::optional<double> behind = length_behind(modal, block);
     if (before && behind && *before == *behind) return Function::None;
     // Where its axis is no length acts, and none is left to be taken off.
-    if (modal.length.is_away && behind == 0) return Function::None;
+    if (modal.length.is_away() && behind == 0) return Function::None;
     const Function motion = block.motion != Function::None ? block.motion : modal[Group::Motion];
     const bool is_straight = motion == Function::Rapid || motion == Function::Line;
     const bool is_changed = block.find(Function::ToolChange) != nullptr;
-    if (!is_straight || is_changed || (modal.known & bit(Axis::Z)) == 0)
+    if (!is_straight || is_changed || (modal.position.known() & bit(Axis::Z)) == 0)
         return behind == 0 ? Function::LengthCompOff : Function::LengthCompOn;
     block.set(nc::Slot::Z, modal.position[index(Axis::Z)]);
     if (modal[Group::Distance] == Function::Incremental) block.absolute |= bit(nc::Slot::Z);
@@ -173,17 +173,18 @@ bool needs_frame(const Running& run, const sema::Plan& plan, std::size_t invocat
         case Function::ShiftAdd: return !run.target.can_write(function);
         // Of some axes: the others' mirrors are written anew.
         case Function::MirrorOff:
-            if (frame_behind(run.modal.steps, plan, invocation).has_mirror()) return true;
+            if (frame_behind(run.modal.frame.steps(), plan, invocation).has_mirror()) return true;
             [[fallthrough]];
         // What is left of the text's own steps may be another frame.
         case Function::RotateOff:
         case Function::ScaleOff:
-            return !run.target.can_write(function) ||
-                   run.modal.frame_fault != control::FrameFormFault::None ||
-                   !control::is_same(frame_behind(run.modal.steps, plan, invocation),
-                                     frame_behind(run.modal.written_steps, plan, invocation));
+            return !run.target.can_write(function) || run.modal.frame.has_fault() ||
+                   !control::is_same(
+                       frame_behind(run.modal.frame.steps(), plan, invocation),
+                       frame_behind(run.modal.frame.written_steps(), plan, invocation));
         case Function::Rotate:
-            return (plan.customs & custom::kRotateReplaces) != 0 && run.modal.frame.angle_deg != 0;
+            return (plan.customs & custom::kRotateReplaces) != 0 &&
+                   run.modal.frame.now().angle_deg != 0;
         default: return false;
     }
 }
@@ -221,13 +222,13 @@ Done read_arguments(Running& run, const sema::Plan& plan, std::size_t invocation
 Done emit_frame(Running& run, const sema::Plan& plan, const Instruction& instruction,
                 const sema::Slot* registers, std::uint32_t at) {
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
-    if (run.modal.lost != 0 && !require_frame(run, false, at)) return kFailed;
-    control::FrameSteps steps = run.modal.steps;
+    if (run.modal.lost.what() != 0 && !require_frame(run, false, at)) return kFailed;
+    control::FrameSteps steps = run.modal.frame.steps();
     const auto say = [&] {
         const auto [next, why] = steps.frame();
         if (why != control::FrameFormFault::None) return refuse_frame(run, why, at);
         write_frame(run, next, source, at, instruction.c);
-        run.modal.steps = steps;
+        run.modal.frame.name_steps(steps);
         return Done(!run.status.has_failed());
     };
     for (std::size_t i = 0; i < plan.functions.size(); ++i) {
@@ -318,7 +319,7 @@ Done adapt(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at)
         if ((customs & custom::kFeedDeleted) != 0) {
             const Group group = nc::info(invocation.function).group;
             if (group == Group::FeedMode && run.modal[group] != invocation.function)
-                run.modal.is_feed_deleted = true;
+                run.modal.feed.delete_by_mode();
         }
         switch (invocation.function) {
             case Function::Shift:
@@ -347,7 +348,7 @@ Done adapt(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at)
         for (std::size_t i = 0; i < block.function_count; ++i) {
             const Invocation& invocation = block.functions[i];
             if (invocation.function == Function::ToolEdge)
-                run.modal.is_edge_off = block.argument(invocation, kEdge) == 0;
+                run.modal.length.choose_edge(block.argument(invocation, kEdge) == 0);
         }
     }
     if ((customs & custom::kLengthMoves) != 0 && !run.target.rules().length_moves_alone &&
@@ -388,7 +389,7 @@ static std::string_view word_of_plane(nc::PlaneMask planes) {
 }
 
 Done require_plane_of_source(Running& run, const sema::Plan& plan, std::uint32_t at) {
-    if ((run.modal.lost & sema::group_bit(Group::Plane)) != 0)
+    if (run.modal.lost.has(Group::Plane))
         return refuse_lost_state(run, "the plane", "say `G17`, `G18` or `G19`", at);
     const Function active = run.modal[Group::Plane];
     if ((plan.planes & nc::bit_of_plane(active)) != 0) return kDone;
@@ -411,7 +412,7 @@ Done require_free_frame(Running& run, Function function, std::uint32_t at) {
     const bool of_scale = of_rotation && nc::has_fact(function, nc::Fact::ChangesFrame);
     // It replaces the frame of the language, and on the control acts outside of the mirror.
     const bool of_mirror = function == Function::Shift;
-    const control::ProgramFrame& frame = run.modal.frame;
+    const control::ProgramFrame& frame = run.modal.frame.now();
     const char* inside = of_rotation && frame.angle_deg != 0 ? "rotation"
                          : of_scale && frame.has_scale()     ? "scale"
                          : of_mirror && frame.has_mirror()   ? "mirror"
@@ -426,16 +427,16 @@ void adapt_shift(Running& run, Block& block, Invocation& shift) {
     if (shift.given == 0) return;
     constexpr std::size_t kX = parameter_of<Function::Shift>("x");
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!shift.has(kX + i) && run.modal.frame.is_shifted[i])
-            block.set_argument(shift, kX + i, run.modal.frame.shift[i]);
+        if (!shift.has(kX + i) && run.modal.frame.now().is_shifted[i])
+            block.set_argument(shift, kX + i, run.modal.frame.now().shift[i]);
     }
 }
 
 /// Machine coordinates as the control reaches them: at rapid whatever acts, or with the tool
 /// length, which no other control does.
 Done adapt_machine(Running& run, Block& block, const sema::Plan& plan, std::uint32_t at) {
-    if ((plan.customs & custom::kMachineLength) != 0 && run.modal.has_tool &&
-        !run.modal.is_edge_off) {
+    if ((plan.customs & custom::kMachineLength) != 0 && run.modal.tool.called() &&
+        !run.modal.length.is_edge_off()) {
         const Invocation* edge = block.find(Function::ToolEdge);
         if (edge == nullptr || block.argument(*edge, kEdge) != 0) {
             fault(run, diag::SourceMachine, at)
@@ -475,7 +476,7 @@ void say_offset(Running& run, const sema::Plan& plan, const Instruction& instruc
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     Block& block = next_block(run, source);
     block.set_argument(*block.add(Function::WorkOffset, 1),
-                       parameter_of<Function::WorkOffset>("number"), run.modal.due_offset);
+                       parameter_of<Function::WorkOffset>("number"), run.modal.owed.work_offset());
     run.modal.take_block(block, run.target.rules());
     if (run.options.trace) keep_trace(run, at, instruction.c, source);
 }
@@ -491,8 +492,8 @@ Done complete_center(Running& run, Block& block, Invocation& invocation, std::ui
     for (std::size_t i = 0; i < 3; ++i) {
         if (invocation.has(kX + i) || (is_rotation && i == plane.across)) continue;
         // Inside another one the coordinates count otherwise than those of its centre.
-        const bool is_known = (run.modal.known >> i & 1u) != 0 && run.modal.frame.angle_deg == 0 &&
-                              !run.modal.frame.has_scale();
+        const bool is_known = run.modal.position.knows(i) && run.modal.frame.now().angle_deg == 0 &&
+                              !run.modal.frame.now().has_scale();
         if (is_known) {
             block.set_argument(invocation, kX + i, run.modal.position[i]);
             continue;
@@ -517,7 +518,7 @@ Done check_move(Running& run, const Block& block, std::uint32_t at) {
     if ((block.given & kMoves) == 0 || block.find(Function::MachineCoordinates) != nullptr)
         return kDone;
     // A move without tool length, where the target takes the length with the next move again.
-    if (run.modal.is_edge_off && !run.modal.length.has_ended &&
+    if (run.modal.length.is_edge_off() && !run.modal.length.has_ended() &&
         run.target.counts_offsets_by_tool()) {
         fault(run, diag::SourceOffset, at)
             .arg(run.target.name())
@@ -528,9 +529,9 @@ Done check_move(Running& run, const Block& block, std::uint32_t at) {
     }
     const bool needs_feed = run.modal[Group::Motion] != Function::Rapid &&
                             block.find(Function::ReferenceReturn) == nullptr;
-    if (!run.modal.is_feed_deleted || !needs_feed || block.has(nc::Slot::Feed)) return kDone;
+    if (!run.modal.feed.is_deleted() || !needs_feed || block.has(nc::Slot::Feed)) return kDone;
     auto builder = fault(run, diag::SourceFeedDeleted, at);
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::FeedMode)];
+    const SourceId by = run.modal.by(Group::FeedMode);
     if (by.is_valid() && by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "the kind of feed was changed here");
     builder.fix("give the block a feed");
@@ -541,26 +542,26 @@ Done adapt_increments(Running& run, Block& block, const sema::Plan& plan, std::u
     const bool source_travels = (plan.customs & custom::kIncrementTravels) != 0;
     const bool target_travels =
         run.target.rules().incremental_frame == nc::IncrementalFrame::Traversed;
-    const bool wants_position = (run.modal.unplaced & block.given) != 0 &&
+    const bool wants_position = (run.modal.drifts.unplaced() & block.given) != 0 &&
                                 run.target.rules().place_behind_rotation &&
                                 block.find(Function::Cycle) == nullptr;
     if (!source_travels && !target_travels && !wants_position) return kDone;
     if (block.find(nc::Fact::AtMachinePosition) != nullptr) return kDone;
     const Drift none;
-    const Drift& of_source = source_travels ? run.modal.drift : none;
-    const Drift& of_target = target_travels ? run.modal.text_drift : none;
+    const Drift& of_source = source_travels ? run.modal.drifts.of_program() : none;
+    const Drift& of_target = target_travels ? run.modal.drifts.of_text() : none;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
         if ((block.given & bit) == 0 || !is_increment(run, block, bit)) continue;
-        const bool is_known = (run.modal.known & bit) != 0;
+        const bool is_known = (run.modal.position.known() & bit) != 0;
         const bool is_lost = ((of_source.lost | of_target.lost) & bit) != 0;
-        const bool needs_place = wants_position && (run.modal.unplaced & bit) != 0;
+        const bool needs_place = wants_position && (run.modal.drifts.unplaced() & bit) != 0;
         const bool travels_alike = source_travels && target_travels &&
                                    of_source.by[i] == of_target.by[i] &&
                                    ((of_source.lost ^ of_target.lost) & bit) == 0;
         if (travels_alike && !needs_place) {
-            run.modal.position[i] -= of_source.by[i];
-            if (is_lost) run.modal.known &= static_cast<AxisMask>(~bit);
+            run.modal.position.move(i, -of_source.by[i]);
+            if (is_lost) run.modal.position.lose(static_cast<AxisMask>(bit));
             continue;
         }
         if (is_lost || (needs_place && !is_known)) {
@@ -601,12 +602,12 @@ Done name_positions(Running& run, Block& block, std::uint32_t at) {
     const bool is_modal = run.modal[Group::Distance] == Function::Incremental;
     for (std::size_t i = 0; i < kAxes; ++i) {
         const nc::SlotMask bit = nc::SlotMask{1} << i;
-        if ((run.modal.known & bit) == 0) {
+        if ((run.modal.position.known() & bit) == 0) {
             // The block stands under absolute dimensions then: what stays a distance is marked by
             // itself.
             if (is_modal && (block.given & bit) != 0 && is_increment(run, block, bit))
                 block.incremental |= bit;
-            if ((run.modal.unplaced & ~block.given & bit) == 0) continue;
+            if ((run.modal.drifts.unplaced() & ~block.given & bit) == 0) continue;
             const std::string axis(kAxisNames[i]);
             fault(run, diag::PlaceBehindRotation, at)
                 .arg(run.target.name())
@@ -616,9 +617,9 @@ Done name_positions(Running& run, Block& block, std::uint32_t at) {
         }
         if ((block.given & bit) != 0) {
             if (is_increment(run, block, bit)) become_place(run, block, i);
-        } else if ((run.modal.unplaced & bit) != 0) {
+        } else if ((run.modal.drifts.unplaced() & bit) != 0) {
             block.set(static_cast<nc::Slot>(i), run.modal.position[i]);
-            run.modal.named_by_text |= static_cast<AxisMask>(bit);
+            run.modal.drifts.name_by_text(static_cast<AxisMask>(bit));
             if (is_modal) block.absolute |= bit;
         }
     }
@@ -631,7 +632,7 @@ Done name_positions(Running& run, Block& block, std::uint32_t at) {
         is_given = true;
     }
     if (!is_given) block.add(Function::Absolute);
-    run.modal.owes_incremental = true;
+    run.modal.owed.owe_incremental();
     return kDone;
 }
 
@@ -656,14 +657,14 @@ Done write_positions(Running& run, SourceId source, std::uint32_t at, unsigned d
         return kFailed;
     }
     run.modal.take_words(block);
-    run.modal.restate_motion = true;
+    run.modal.owed.owe_motion();
     if (run.options.trace) keep_trace(run, at, depth, source);
     return kDone;
 }
 
 void return_to_increments(Running& run, Block& block) {
     if ((block.given & (nc::kTargetSlots | nc::kCenterSlots)) == 0) return;
-    run.modal.owes_incremental = false;
+    run.modal.owed.owe_incremental(false);
     if (run.modal[Group::Distance] == Function::Incremental &&
         block.find(Function::Incremental) == nullptr)
         block.add(Function::Incremental);
@@ -711,7 +712,7 @@ void go_over_position(Running& run, SourceId source) {
     erase(way, static_cast<std::size_t>(found - way.functions.data()));
     way.motion = Function::Rapid;
     // The programmed motion is not changed by the return.
-    if (run.modal[Group::Motion] != Function::Rapid) run.modal.restate_motion = true;
+    if (run.modal[Group::Motion] != Function::Rapid) run.modal.owed.owe_motion();
     const std::int8_t skip_level = way.skip_level;
     const std::uint16_t further_skip_levels = way.further_skip_levels;
     Block& back = next_block(run, source);
@@ -737,7 +738,7 @@ Done take_station(Running& run, Block& block, Invocation& select, std::uint32_t 
         become(block, select, Function::Tool, kTool, tool);
         return kDone;
     }
-    const bool is_off = offset == 0 && run.modal.has_tool_in && run.modal.tool_in == tool;
+    const bool is_off = offset == 0 && run.modal.tool.in() == tool;
     if (is_off && run.target.can_write(Function::ToolEdge)) {
         become(block, select, Function::ToolEdge, kEdge, 0);
         return kDone;
@@ -761,12 +762,12 @@ Done take_offsets_as_edges(Running& run, Block& block, std::uint32_t at) {
     // was called.
     const Invocation* select = block.find(Function::ToolSelect);
     const bool changes = block.find(Function::ToolChange) != nullptr;
-    const bool is_called = select != nullptr && (changes || !run.modal.has_tool_in);
-    const bool is_in = !is_called && !changes && run.modal.has_tool_in;
-    const bool has_tool = is_called || is_in || run.modal.has_tool;
+    const bool is_called = select != nullptr && (changes || !run.modal.tool.in());
+    const bool is_in = !is_called && !changes && run.modal.tool.in();
+    const bool has_tool = is_called || is_in || run.modal.tool.called();
     const double tool = is_called ? block.argument(*select, kTool)
-                        : is_in   ? run.modal.tool_in
-                                  : run.modal.tool;
+                        : is_in   ? run.modal.tool.in().value_or(0)
+                                  : run.modal.tool.called().value_or(0);
     bool is_given = false;
     for (std::size_t i = 0; i < block.function_count;) {
         Invocation& invocation = block.functions[i];
@@ -810,7 +811,7 @@ Done take_offsets_as_edges(Running& run, Block& block, std::uint32_t at) {
         if (!is_radius) {  // what a `with` around it sets back
             run.modal.assume(Group::LengthComp,
                              number == 0 ? Function::LengthCompOff : Function::LengthCompOn);
-            run.modal.length.offset = number != 0 ? std::optional(number) : std::nullopt;
+            run.modal.length.take_offset(number != 0 ? std::optional(number) : std::nullopt);
         }
         become(block, invocation, Function::ToolEdge, kEdge, number == 0 ? 0 : 1);
         ++i;
@@ -847,11 +848,11 @@ Done take_edge_as_length(Running& run, Block& block, Invocation& edge, std::uint
     const Invocation* select = block.find(Function::ToolSelect);
     const bool changes = block.find(Function::ToolChange) != nullptr;
     // Of a tool that waits for its change the length must not act yet.
-    const bool has_tool = changes ? select != nullptr || run.modal.has_tool
-                                  : select == nullptr && run.modal.has_tool_in;
-    const double tool = !changes            ? run.modal.tool_in
+    const bool has_tool = changes ? select != nullptr || run.modal.tool.called()
+                                  : select == nullptr && run.modal.tool.in();
+    const double tool = !changes            ? run.modal.tool.in().value_or(0)
                         : select != nullptr ? block.argument(*select, kTool)
-                                            : run.modal.tool;
+                                            : run.modal.tool.called().value_or(0);
     if (number == 0) {
         edge.function = Function::LengthCompOff;
         edge.given = 0;
@@ -882,14 +883,14 @@ Done take_edges_as_offsets(Running& run, Block& block, std::uint32_t at) {
         if (edge == 0 && !is_off && is_plain && run.target.can_write(Function::LengthCompOff)) {
             block.functions[i].function = Function::LengthCompOff;
             block.functions[i].given = 0;
-            run.modal.length.has_ended = true;
+            run.modal.length.end();
             continue;
         }
-        if (edge == 1 && run.modal.length.has_ended && run.modal.has_tool_in &&
+        if (edge == 1 && run.modal.length.has_ended() && run.modal.tool.in() &&
             block.find(Function::ToolChange) == nullptr) {
             become(block, block.functions[i], Function::LengthCompOn, kLengthOffset,
-                   run.modal.tool_in);
-            run.modal.length.has_ended = false;
+                   run.modal.tool.in().value_or(0));
+            run.modal.length.begin_again();
             continue;
         }
         if (edge != 1 && !is_off) {
@@ -897,7 +898,9 @@ Done take_edges_as_offsets(Running& run, Block& block, std::uint32_t at) {
                 .arg(run.target.name())
                 .arg("the edge")
                 .arg(std::to_string(std::llround(edge)))
-                .fix("say what the target is to do where it is the target: `G49`, `G43 H…`");
+                .fix(
+                    "say what the target is to do where it is the target: `G49`, "
+                    "`G43 H…`");
             return kFailed;
         }
         erase(block, i);
@@ -906,8 +909,9 @@ Done take_edges_as_offsets(Running& run, Block& block, std::uint32_t at) {
     for (std::size_t i = 0; i < block.function_count; ++i) {
         if (block.functions[i].function != Function::ToolChange) continue;
         const Invocation* select = block.find(Function::ToolSelect);
-        if (select == nullptr && !run.modal.has_tool) return kDone;
-        const double tool = select != nullptr ? block.argument(*select, kTool) : run.modal.tool;
+        if (select == nullptr && !run.modal.tool.called()) return kDone;
+        const double tool = select != nullptr ? block.argument(*select, kTool)
+                                              : run.modal.tool.called().value_or(0);
         become(block, block.functions[i], Function::Tool, kTool, tool);
         if (select != nullptr)
             erase(block, static_cast<std::size_t>(select - block.functions.data()));

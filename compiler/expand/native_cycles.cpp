@@ -75,13 +75,11 @@ void go_back(Running& run, std::span<const sema::ParameterInfo> parameters, std:
     const nc::CycleBack back = nc::cycle_back(parameters, given);
     if (!back.is_elsewhere) return;
     const bool has_plane = run.modal[Group::Plane] != Function::None;
-    if (back.moves_in_plane || !has_plane) run.modal.known &= static_cast<AxisMask>(~kLinearXYZ);
+    if (back.moves_in_plane || !has_plane) run.modal.position.lose(kLinearXYZ);
     if (!has_plane) return;
     const std::size_t across = indices_of(plane_of(run.modal[Group::Plane])).across;
-    const auto axis = static_cast<AxisMask>(1u << across);
-    if (back.level) run.modal.position[across] = values[*back.level];
-    run.modal.known =
-        static_cast<AxisMask>(back.level ? run.modal.known | axis : run.modal.known & ~axis);
+    if (back.level) run.modal.position.set(across, values[*back.level]);
+    else run.modal.position.lose(static_cast<AxisMask>(1u << across));
 }
 
 }  // namespace
@@ -114,7 +112,7 @@ void compensated_cycle(Running& run, const sema::FunctionCode& cycle) {
     DiagnosticBuilder builder =
         fault_in(run, diag::CycleUnderCompensation, at, run.vm.calls.size() - 1);
     builder.arg(cycle.name);
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::RadiusComp)];
+    const SourceId by = run.modal.by(Group::RadiusComp);
     if (by.is_valid() && by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "the compensation began here");
     builder.fix("end it before: `G40` with a move");
@@ -137,7 +135,7 @@ void warn_of_tap(Running& run) {
 CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* registers) {
     if (run.recordings.is_open()) return CycleOutcome::Moves;
     const CallFrame& frame = run.vm.calls.back();
-    if (run.modal.comp_choice != ModalState::kNoChoice && frame.return_to > 0) {
+    if (run.modal.compensation.is_choice() && frame.return_to > 0) {
         compensation_chosen(run, fault_in(run, diag::CompensationInDoubt, frame.return_to - 1,
                                           run.vm.calls.size() - 1));
         return CycleOutcome::Failed;
@@ -147,8 +145,7 @@ CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* regis
         compensated_cycle(run, *frame.function);
         return CycleOutcome::Failed;
     }
-    if (!run.options.native_cycles || run.modal.tcp == ModalState::Tcp::Length)
-        return CycleOutcome::Moves;
+    if (!run.options.native_cycles || run.modal.tcp.is_length()) return CycleOutcome::Moves;
     if (is_between_positions(run) && frame.return_to > 0)
         return failed(refuse_beside_cycle(run, "another cycle", frame.return_to - 1));
     const std::vector<sema::ParameterInfo>& parameters = frame.function->parameters;
@@ -188,13 +185,13 @@ CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* regis
     }
     // Under inverse time F belongs to a block, and a cycle is many.
     if (run.modal[Group::FeedMode] == Function::FeedInverseTime) return CycleOutcome::Moves;
-    if (run.modal.frame.has_scale() && spares_distances(run, cycle, given))
+    if (run.modal.frame.now().has_scale() && spares_distances(run, cycle, given))
         return CycleOutcome::Moves;
     const std::uint32_t at = frame.return_to > 0 ? frame.return_to - 1 : 0;
-    if (run.modal.lost != 0 && !require_state_for_cycle(run, *frame.function, given, at))
+    if (run.modal.lost.what() != 0 && !require_state_for_cycle(run, *frame.function, given, at))
         return CycleOutcome::Failed;
     const bool needs_feed = std::ranges::none_of(parameters, has_feed);
-    if (needs_feed && run.modal.is_feed_lost)
+    if (needs_feed && run.modal.feed.is_lost())
         return failed(refuse_lost_feed(run, at, run.vm.calls.size() - 1));
     if (run.options.warns_of_cuts && is_cut_doubtful(run) &&
         !turns_spindle(parameters, given, values))
@@ -204,13 +201,13 @@ CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* regis
     if (run.modal.has_ended) warn_after_end(run, at);
     const Instruction& call = run.code.instructions[at];
     const SourceId source{static_cast<std::uint32_t>(call.immediate.pair.first)};
-    if (run.modal.diameter_due != Function::None)
+    if (run.modal.owed.diameter() != Function::None)
         say_diameter_alone(run, source, at, run.vm.calls.size() - 1);
-    if (run.modal.unplaced != 0 &&
+    if (run.modal.drifts.unplaced() != 0 &&
         !write_positions(run, source, at, static_cast<unsigned>(run.vm.calls.size() - 1)))
         return CycleOutcome::Failed;
-    if (run.modal.restate != 0) say_again_alone(run, source, at, run.vm.calls.size() - 1);
-    if (run.modal.spindle_in_doubt && !turns_spindle(parameters, given, values) &&
+    if (run.modal.lost.restate() != 0) say_again_alone(run, source, at, run.vm.calls.size() - 1);
+    if (run.modal.speed.is_turning_in_doubt() && !turns_spindle(parameters, given, values) &&
         run.modal.reported.first_time(ProgramNotice::SpindleInDoubt))
         warn_of_choice(run, fault_in(run, diag::SpindleInDoubt, at, run.vm.calls.size() - 1));
     Block& block = next_block(run, source);
@@ -221,25 +218,23 @@ CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* regis
         if ((given >> i & 1u) != 0) block.set_argument(*invocation, i, values[i]);
     }
     // The contract of a cycle: it ends where it began, after a move at rapid.
-    run.modal.assume(Group::Motion, Function::Rapid);
-    run.modal.changed_by[static_cast<std::size_t>(Group::Motion)] = source;
-    run.modal.restate_motion = true;
+    run.modal.note(Group::Motion, Function::Rapid, source);
+    run.modal.owed.owe_motion();
     if (const Function left = standing_behind(run.code, *frame.function); left != Function::None)
         run.modal.switch_spindle(left, source);
     // The cycle names coordinates of its own; which ones only one that drills in Z shows.
     const bool drills_in_z = std::ranges::any_of(parameters, [&](const sema::ParameterInfo& p) {
         return p.name == "initial" && (given >> (&p - parameters.data()) & 1u) != 0;
     });
-    if (drills_in_z) run.modal.forget_drift(bit(Axis::Z));
-    else run.modal.lose_all_drift();
-    const AxisMask before = run.modal.known;
+    if (drills_in_z) run.modal.drifts.forget(bit(Axis::Z));
+    else run.modal.drifts.lose_all();
+    const AxisMask before = run.modal.position.known();
     go_back(run, parameters, given, values);
-    run.modal.note_lost_positions(before, source, Loss::Control);
+    run.modal.position.note_loss(before, source, Loss::Control);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         if ((given >> i & 1u) == 0) continue;
         if (parameters[i].name == "initial") {
-            run.modal.position[2] = values[i];
-            run.modal.known = static_cast<AxisMask>(run.modal.known | bit(Axis::Z));
+            run.modal.position.set(index(Axis::Z), values[i]);
         } else if (parameters[i].name == "after") {
             run.modal.set_spindle(values[i], source);
         }

@@ -27,7 +27,6 @@ using nc::Block;
 using nc::Function;
 using nc::Group;
 using path::Vec3;
-using Tcp = ModalState::Tcp;
 
 namespace {
 
@@ -127,13 +126,13 @@ ToolTaken take_tool(Running& run, const sema::Plan& plan, const Instruction& ins
             default: break;
         }
         const bool is_outside =
-            run.modal.tcp != Tcp::Off && (nc::has_fact(function, nc::Fact::OutsideTcp) ||
-                                          (run.modal.tcp == Tcp::Length &&
-                                           (nc::has_fact(function, nc::Fact::AlarmUnderTcpLength) ||
+            run.modal.tcp.acts() &&
+            (nc::has_fact(function, nc::Fact::OutsideTcp) ||
+             (run.modal.tcp.is_length() && (nc::has_fact(function, nc::Fact::AlarmUnderTcpLength) ||
                                             nc::has_fact(function, nc::Fact::OutsideTcpLength))));
         if (is_outside) return tool_taken(refuse_under_tcp(run, nc::info(function).name, at));
     }
-    if (run.modal.tcp == Tcp::Length && names_rotary(plan))
+    if (run.modal.tcp.is_length() && names_rotary(plan))
         return tool_taken(refuse_under_tcp(run, "a position of a rotary axis", at));
     return ToolTaken::Nothing;
 }
@@ -141,7 +140,7 @@ ToolTaken take_tool(Running& run, const sema::Plan& plan, const Instruction& ins
 Done refuse_under_tcp(Running& run, std::string_view what, std::uint32_t at) {
     DiagnosticBuilder builder = fault(run, diag::InsideTcp, at);
     builder.arg(what).arg(run.target.name());
-    const SourceId by = run.modal.changed_by[static_cast<std::size_t>(Group::Transformation)];
+    const SourceId by = run.modal.by(Group::Transformation);
     if (by.is_valid() && by.index < run.code.statements.size())
         builder.note(run.code.statements[by.index], "it began here");
     builder.fix("end it before: `tcp(off)`");
@@ -152,17 +151,17 @@ namespace {
 
 /// Why tool centre point control cannot begin here; empty: it can.
 std::string tcp_hindrance(const Running& run) {
-    if (run.modal.tilt != ModalState::PlaneTilt::None) return "inside of a tilted plane";
+    if (run.modal.tilt.acts()) return "inside of a tilted plane";
     if (nc::has_fact(run.modal[Group::RadiusComp], nc::Fact::CompSide))
         return "under cutter radius compensation";
     if (run.target.can_write(Function::TcpOn)) return "";
     // What follows is of controls to which it is a kind of tool length.
-    const control::ProgramFrame& frame = run.modal.frame;
+    const control::ProgramFrame& frame = run.modal.frame.now();
     if (frame.angle_deg != 0 || frame.has_scale() || frame.has_mirror())
         return "inside of a rotation, a scale or a mirror";
     if (!length_number(run))
         return "without a tool, whose length " + std::string(run.target.name()) + " takes for it";
-    if (run.modal.is_turned)
+    if (run.modal.position.is_turned())
         return "where the rotary axes have turned: " + std::string(run.target.name()) +
                " counts from how the table lies here, others from position 0";
     return "";
@@ -170,17 +169,16 @@ std::string tcp_hindrance(const Running& run) {
 
 /// The number of the offset that has the tool's length.
 std::optional<double> length_number(const Running& run) {
-    if (run.modal[Group::LengthComp] == Function::LengthCompOn && run.modal.length.offset)
-        return run.modal.length.offset;
-    if (run.modal.has_tool_in) return run.modal.tool_in;
-    return std::nullopt;
+    if (run.modal[Group::LengthComp] == Function::LengthCompOn && run.modal.length.offset())
+        return run.modal.length.offset();
+    return run.modal.tool.in();
 }
 
 /// call         functions of the block; those beside TcpOn choose interpolation and systems
 Done begin_tcp(Running& run, std::span<const nc::Invocation> call, SourceId source,
                std::uint32_t at, unsigned depth) {
-    const bool is_lost = (run.modal.lost & sema::group_bit(Group::Transformation)) != 0;
-    if (run.modal.tcp != Tcp::Off && !is_lost) return kDone;
+    const bool is_lost = run.modal.lost.has(Group::Transformation);
+    if (run.modal.tcp.acts() && !is_lost) return kDone;
     const bool has_own = run.target.can_write(Function::TcpOn);
     if (!has_own && !run.target.can_write(Function::TcpVector)) {
         fault(run, diag::TcpMissing, at).arg(run.target.name());
@@ -189,7 +187,7 @@ Done begin_tcp(Running& run, std::span<const nc::Invocation> call, SourceId sour
     if (const std::string why = tcp_hindrance(run); !why.empty()) {
         DiagnosticBuilder builder = fault(run, diag::TcpBegin, at);
         builder.arg(why);
-        if (run.modal.is_turned && !has_own)
+        if (run.modal.position.is_turned() && !has_own)
             builder.fix("bring the rotary axes to 0 before: `G0 A=0 C=0`");
         return kFailed;
     }
@@ -207,10 +205,7 @@ Done begin_tcp(Running& run, std::span<const nc::Invocation> call, SourceId sour
         }
         return Done(!run.status.has_failed());
     }
-    run.modal.before_tcp = run.modal[Group::LengthComp];
-    run.modal.tcp_offset = *length_number(run);
-    run.modal.tcp = Tcp::Length;
-    run.modal.is_inclined = false;
+    run.modal.tcp.begin_as_length(*length_number(run), run.modal[Group::LengthComp]);
     run.modal.assume(Group::Transformation, Function::TcpOn, source);
     return choose_orient_interpolation(run, orientation, source, at, depth);
 }
@@ -219,10 +214,12 @@ Done begin_tcp(Running& run, std::span<const nc::Invocation> call, SourceId sour
 /// it acts on each.
 void say_offset_again(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
     if (!run.target.rules().transformation_wants_offset) return;
-    if ((run.modal.lost & sema::group_bit(Group::WorkOffsets)) != 0) return;
+    if (run.modal.lost.has(Group::WorkOffsets)) return;
     take_offset_of_head(run, run.modal);
-    if (run.modal[Group::WorkOffsets] == Function::None && run.modal.due_offset == 0) return;
-    const double offset = run.modal.due_offset != 0 ? run.modal.due_offset : run.modal.work_offset;
+    if (run.modal[Group::WorkOffsets] == Function::None && run.modal.owed.work_offset() == 0)
+        return;
+    const double offset =
+        run.modal.owed.work_offset() != 0 ? run.modal.owed.work_offset() : run.modal.work_offset;
     constexpr std::size_t kNumber = nc::parameter_of<Function::WorkOffset>("number");
     put_function(run, Function::WorkOffset, {{kNumber, offset}}, source, at, depth);
 }
@@ -231,11 +228,11 @@ void say_offset_again(Running& run, SourceId source, std::uint32_t at, unsigned 
 Done choose_orient_interpolation(Running& run, Function orientation, SourceId source,
                                  std::uint32_t at, unsigned depth) {
     run.modal.assume(Group::OrientInterpolation, orientation);
-    if (run.modal.tcp != Tcp::Length) return kDone;
+    if (run.modal.tcp.kind() != TcpKind::Length) return kDone;
     const double plane = orientation == Function::OrientAxes ? 0 : 1;
     constexpr std::size_t kOffset = nc::parameter_of<Function::TcpVector>("offset");
     constexpr std::size_t kPlane = nc::parameter_of<Function::TcpVector>("plane");
-    put_function(run, Function::TcpVector, {{kOffset, run.modal.tcp_offset}, {kPlane, plane}},
+    put_function(run, Function::TcpVector, {{kOffset, run.modal.tcp.offset()}, {kPlane, plane}},
                  source, at, depth);
     return Done(!run.status.has_failed());
 }
@@ -243,22 +240,23 @@ Done choose_orient_interpolation(Running& run, Function orientation, SourceId so
 /// No axis moves. A control to which it is a kind of tool length goes over to the plain length: to
 /// end it alone would travel the length towards the part.
 Done end_tcp(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
-    if (run.modal.tcp != Tcp::Length) {
-        run.modal.tcp = Tcp::Off;
+    if (run.modal.tcp.kind() != TcpKind::Length) {
+        run.modal.tcp.end();
         if (run.target.can_write(Function::TcpOff))
             put_function(run, Function::TcpOff, {}, source, at, depth);
         return Done(!run.status.has_failed());
     }
-    if (run.modal.is_inclined) {
+    if (run.modal.tcp.is_inclined()) {
         fault(run, diag::TcpLeaning, at)
             .arg(run.target.name())
             .fix("let it stand along Z before: `orient(k: 1)`");
         return kFailed;
     }
     constexpr std::size_t kOffset = nc::parameter_of<Function::LengthCompOn>("offset");
-    put_function(run, Function::LengthCompOn, {{kOffset, run.modal.tcp_offset}}, source, at, depth);
-    run.modal.tcp = Tcp::Off;
-    run.modal.assume(Group::LengthComp, run.modal.before_tcp);
+    put_function(run, Function::LengthCompOn, {{kOffset, run.modal.tcp.offset()}}, source, at,
+                 depth);
+    run.modal.tcp.end();
+    run.modal.assume(Group::LengthComp, run.modal.tcp.before());
     run.modal.assume(Group::Transformation, Function::TcpOff, source);
     return Done(!run.status.has_failed());
 }
@@ -268,25 +266,25 @@ Done end_tcp(Running& run, SourceId source, std::uint32_t at, unsigned depth) {
 Done set_back_tcp(Running& run, const ModalState& before, SourceId source, std::uint32_t at,
                   unsigned depth) {
     const Function was = before[Group::Transformation];
-    if (was == run.modal[Group::Transformation] && before.tcp == run.modal.tcp) return kDone;
+    if (was == run.modal[Group::Transformation] && before.tcp.kind() == run.modal.tcp.kind())
+        return kDone;
     if (was == Function::None) {
         fault(run, diag::StateUnknown, at).arg(nc::group_name(Group::Transformation));
         return kFailed;
     }
-    return before.tcp == Tcp::Off ? end_tcp(run, source, at, depth)
-                                  : begin_tcp(run, {}, source, at, depth);
+    return before.tcp.kind() == TcpKind::Off ? end_tcp(run, source, at, depth)
+                                             : begin_tcp(run, {}, source, at, depth);
 }
 
 namespace {
 
 /// A direction of the tool acts here.
 Done require_leading_tool(Running& run, std::uint32_t at) {
-    const bool is_lost = (run.modal.lost & sema::group_bit(Group::Transformation)) != 0;
+    const bool is_lost = run.modal.lost.has(Group::Transformation);
     if (is_lost)
         return refuse_lost_state(run, "whether tool centre point control acts",
                                  "say `tcp(on)` before it", at);
-    if (run.modal.tcp != Tcp::Off || run.modal[Group::LengthComp] == Function::TcpVector)
-        return kDone;
+    if (run.modal.tcp.acts() || run.modal[Group::LengthComp] == Function::TcpVector) return kDone;
     fault(run, diag::OrientAlone, at).fix("say `tcp(on)` before it");
     return kFailed;
 }
@@ -317,13 +315,10 @@ Done settle_direction(Running& run, Block& block, std::uint32_t at) {
         block.set_argument(part, kValue, direction[i]);
     });
     const double aside = std::hypot(direction.x(), direction.y());
-    run.modal.is_inclined = !(direction.z() > 0) || aside > kRounding * direction.z();
-    run.modal.is_turned = true;
-    run.modal.known &= static_cast<AxisMask>(~kRotary);
-    if (run.modal.restate_motion && block.motion == Function::None) {
-        block.motion = run.modal[Group::Motion];
-        run.modal.restate_motion = false;
-    }
+    run.modal.tcp.incline(!(direction.z() > 0) || aside > kRounding * direction.z());
+    run.modal.position.turn(true);
+    run.modal.position.lose(kRotary);
+    run.modal.put_motion(block);
     return kDone;
 }
 
@@ -335,11 +330,13 @@ Done check_leading(Running& run, const Block& block, std::uint32_t at) {
         fault(run, diag::OrientMotion, at).arg(nc::info(motion).name);
         return kFailed;
     }
-    if (!moves || run.modal.tcp != Tcp::Length) return kDone;
+    if (!moves || run.modal.tcp.kind() != TcpKind::Length) return kDone;
     fault(run, diag::TcpMotion, at)
         .arg(nc::info(motion).name)
         .arg(run.target.name())
-        .fix("lines within a tolerance: `follow(…, tolerance: 5um, arcs: false)` of a curve");
+        .fix(
+            "lines within a tolerance: `follow(…, tolerance: 5um, arcs: false)` "
+            "of a curve");
     return kFailed;
 }
 

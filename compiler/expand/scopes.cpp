@@ -29,8 +29,9 @@ Done leave_with(Running& run, SourceId source, std::uint32_t at, unsigned depth)
 }
 
 void take_offset_of_head(const Running& run, ModalState& state) {
-    const bool is_lost = (state.lost & sema::group_bit(Group::WorkOffsets)) != 0;
-    if (is_lost || state[Group::WorkOffsets] != Function::None || state.due_offset != 0) return;
+    const bool is_lost = state.lost.has(Group::WorkOffsets);
+    if (is_lost || state[Group::WorkOffsets] != Function::None || state.owed.work_offset() != 0)
+        return;
     const std::optional<int> offset = nc::offset_of_head(run.target);
     if (!offset) return;
     state.assume(Group::WorkOffsets, Function::WorkOffset);
@@ -45,11 +46,11 @@ Done set_back(Running& run, const OpenWith& scope, SourceId source, std::uint32_
     if ((scope.mask & transformation) != 0 && !set_back_tcp(run, before, source, at, depth))
         return kFailed;
     if ((scope.mask & sema::kFrameBit) != 0) {
-        if (run.modal.tcp == ModalState::Tcp::Length && !(before.frame == run.modal.frame))
+        if (run.modal.tcp.is_length() && !(before.frame.now() == run.modal.frame.now()))
             return refuse_under_tcp(run, "the end of a frame", at);
-        write_frame(run, before.frame, source, at, depth);
+        write_frame(run, before.frame.now(), source, at, depth);
         if (run.status.has_failed()) return kFailed;
-        run.modal.steps = before.steps;
+        run.modal.frame.name_steps(before.frame.steps());
     }
     // Another feed mode forgets F, so F goes back with it.
     sema::ModalMask mask = scope.mask & ~transformation;
@@ -63,19 +64,19 @@ Done set_back(Running& run, const OpenWith& scope, SourceId source, std::uint32_
         return kFailed;
     }
     // Behind a `with` that set the first F there is none, and none there is behind this one.
-    const sema::ModalMask no_value = before.lost_in == Loss::EndOfWith ? sema::kFeedBit : 0;
+    const sema::ModalMask no_value = before.lost.how() == Loss::EndOfWith ? sema::kFeedBit : 0;
     const sema::ModalMask values =
-        changed & before.lost & ~no_value & (sema::kFeedBit | sema::kSpeedBit);
+        changed & before.lost.what() & ~no_value & (sema::kFeedBit | sema::kSpeedBit);
     if (values != 0) {
         fault(run, diag::StateUnknown, at).arg((values & sema::kFeedBit) != 0 ? "F" : "S");
         return kFailed;
     }
-    if ((changed & sema::kFeedBit) != 0 && !before.has_feed) run.modal.forget_feed(source);
+    if ((changed & sema::kFeedBit) != 0 && !before.feed.is_known()) run.modal.forget_feed(source);
     // The same number means something else in another mode, so it goes back with the mode.
     const sema::ModalMask of_feed = sema::kFeedBit | sema::group_bit(Group::FeedMode);
     const sema::ModalMask of_speed = sema::kSpeedBit | sema::group_bit(Group::SpeedMode);
-    const bool feed = (changed & of_feed) != 0 && before.has_feed;
-    const bool speed = (changed & of_speed) != 0 && before.has_speed;
+    const bool feed = (changed & of_feed) != 0 && before.feed.is_known();
+    const bool speed = (changed & of_speed) != 0 && before.speed.is_known();
     const bool groups = (changed & ~(sema::kFeedBit | sema::kSpeedBit)) != 0;
     if (!groups && !feed && !speed) return kDone;
     if (!require_room(run, at)) return kFailed;
@@ -94,13 +95,13 @@ Done set_back(Running& run, const OpenWith& scope, SourceId source, std::uint32_
             block.set_argument(*invocation, nc::parameter_of<Function::WorkOffset>("number"),
                                before.work_offset);
         }
-        if (member == Function::LengthCompOn && before.length.offset) {
+        if (member == Function::LengthCompOn && before.length.offset()) {
             block.set_argument(*invocation, nc::parameter_of<Function::LengthCompOn>("offset"),
-                               *before.length.offset);
+                               *before.length.offset());
         }
     }
-    if (feed) block.set(nc::Slot::Feed, before.feed);
-    if (speed) block.set(nc::Slot::Speed, before.speed);
+    if (feed) block.set(nc::Slot::Feed, before.feed.value());
+    if (speed) block.set(nc::Slot::Speed, before.speed.value());
     if ((changed & sema::group_bit(Group::LengthComp)) != 0 && !take_core_offsets(run, block, at))
         return kFailed;
     run.modal.take_block(block, run.target.rules());
@@ -147,7 +148,7 @@ Done check_needs(Running& run, std::uint32_t at) {
     const CallFrame& frame = run.vm.calls.back();
     for (const Function needed : frame.function->needs) {
         const Function active = run.modal[nc::info(needed).group];
-        const bool is_lost = (run.modal.lost & sema::group_bit(nc::info(needed).group)) != 0;
+        const bool is_lost = run.modal.lost.has(sema::group_bit(nc::info(needed).group));
         // Where the control knows it by itself, X is a diameter without a word.
         const bool is_other = needed == Function::DiameterOff && run.modal.is_diameter;
         if (active == needed || (active == Function::None && !is_lost && !is_other)) continue;
@@ -157,7 +158,7 @@ Done check_needs(Running& run, std::uint32_t at) {
         }
         const bool is_called = run.vm.calls.size() > 1 && frame.return_to > 0;
         if (is_lost) {
-            const std::string words = lost_needs(*frame.function, run.modal.lost);
+            const std::string words = lost_needs(*frame.function, run.modal.lost.what());
             report_loss(run,
                         is_called ? fault_in(run, diag::StateLost, frame.return_to - 1,
                                              run.vm.calls.size() - 1)
@@ -173,7 +174,7 @@ Done check_needs(Running& run, std::uint32_t at) {
         builder.arg(frame.function->name)
             .arg(word_of_need(needed))
             .arg(word_of_need(active == Function::None ? Function::DiameterOn : active));
-        const SourceId by = run.modal.changed_by[static_cast<std::size_t>(nc::info(needed).group)];
+        const SourceId by = run.modal.by(nc::info(needed).group);
         if (by.is_valid() && by.index < run.code.statements.size()) {
             builder.note(run.code.statements[by.index], "it was changed here last");
         }
@@ -181,12 +182,12 @@ Done check_needs(Running& run, std::uint32_t at) {
     }
     // The cutter that the call names is the one that the machine has; where only the text is made,
     // another one is a warning.
-    if (!run.modal.has_tool_in || run.vm.calls.size() < 2 || frame.return_to == 0 ||
+    if (!run.modal.tool.in() || run.vm.calls.size() < 2 || frame.return_to == 0 ||
         !run.options.machine || !run.options.checks_cutters || !has_cutter(*frame.function))
         return kDone;
     const machine::Machine* machine = run.options.machine();
     if (machine == nullptr) return kDone;
-    const auto tool = static_cast<std::int64_t>(std::llround(run.modal.tool_in));
+    const auto tool = static_cast<std::int64_t>(std::llround(run.modal.tool.in().value_or(0)));
     const auto other =
         cutter_mismatch(*frame.function, run.vm.stack.data() + frame.base, *machine, tool);
     if (!other) return kDone;
@@ -202,7 +203,7 @@ Done check_needs(Running& run, std::uint32_t at) {
 
 Done check_preserves(Running& run, std::uint32_t at) {
     const OpenWith& promise = run.scopes.last_promise();
-    if (run.modal.lost != 0 && !keep_promise(run, promise, at)) return kFailed;
+    if (run.modal.lost.what() != 0 && !keep_promise(run, promise, at)) return kFailed;
     const sema::ModalMask broken = difference(promise.before, run.modal, promise.mask);
     if (broken == 0) return kDone;
     const auto report = [&](std::string_view what, SourceId by) {
@@ -214,12 +215,12 @@ Done check_preserves(Running& run, std::uint32_t at) {
     };
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((broken >> i & 1u) == 0) continue;
-        report(nc::group_name(static_cast<Group>(i)), run.modal.changed_by[i]);
+        report(nc::group_name(static_cast<Group>(i)), run.modal.by(static_cast<Group>(i)));
         return kFailed;
     }
-    if ((broken & sema::kFrameBit) != 0) report("the frames", run.modal.frame_by);
-    else if ((broken & sema::kFeedBit) != 0) report("F", run.modal.feed_by);
-    else report("S", run.modal.speed_by);
+    if ((broken & sema::kFrameBit) != 0) report("the frames", run.modal.frame.by());
+    else if ((broken & sema::kFeedBit) != 0) report("F", run.modal.feed.by());
+    else report("S", run.modal.speed.by());
     return kFailed;
 }
 

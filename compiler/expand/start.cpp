@@ -196,7 +196,7 @@ Done start(Running& run, std::string_view name, const std::vector<sema::Define>&
     if (function == nullptr) return kFailed;
     prepare(run, *function);
     if (function->work_offset != run.target.first_work_offset())
-        run.modal.due_offset = function->work_offset;
+        run.modal.owed.owe_work_offset(function->work_offset);
     bool is_good = true;
     std::uint32_t given = 0;
     for (const sema::Define& define : defines) {
@@ -279,18 +279,16 @@ Done start_cycle(Running& run, std::string_view name, std::span<const double> ar
     run.options.native_cycles = false;  // this is the body of a native one
     // Whether X is a diameter the program has set that calls it; a cycle that needs diameters
     // where it has set radii begins with that.
-    const bool turns = run.modal.diameter_due != nc::Function::None;
+    const bool turns = run.modal.owed.diameter() != nc::Function::None;
     const bool needs_diameter = turns && !at.x_is_diameter;
     run.modal.assume(nc::Group::Diameter, nc::Function::None);
     run.modal.is_diameter = false;
-    run.modal.diameter_due = needs_diameter ? nc::Function::DiameterOn : nc::Function::None;
-    run.modal.position = at.position;
-    if (needs_diameter) run.modal.position[0] *= 2;
-    run.modal.known = static_cast<AxisMask>((1u << kAxes) - 1u);
-    run.modal.has_feed = at.feed > 0;
-    run.modal.feed = at.feed;
-    run.modal.has_speed = at.speed > 0;
-    run.modal.speed = at.speed;
+    run.modal.owed.owe_diameter(needs_diameter ? nc::Function::DiameterOn : nc::Function::None);
+    AxisValues position = at.position;
+    if (needs_diameter) position[index(Axis::X)] *= 2;
+    run.modal.position.set_all(position);
+    run.modal.feed.begin_with(at.feed);
+    run.modal.speed.begin_with(at.speed);
     if (at.spindle == path::SpindleMode::Cw) run.modal.set_spindle(3, {});
     if (at.spindle == path::SpindleMode::Ccw) run.modal.set_spindle(4, {});
     const bool takes_shape = std::ranges::any_of(function.parameters, [](const ParameterInfo& p) {

@@ -72,16 +72,14 @@ struct ModalMotion {
 };
 
 ModalMotion modal_motion(const ModalState& modal) {
-    constexpr auto kMotion = static_cast<std::size_t>(Group::Motion);
-    return {modal[Group::Motion], modal.changed_by[kMotion],
-            (modal.lost & sema::group_bit(Group::Motion)) != 0};
+    return {modal[Group::Motion], modal.by(Group::Motion), modal.lost.has(Group::Motion)};
 }
 
 /// Behind a block at rapid: the next move writes what is programmed, or must write it itself.
 void keep_motion(ModalState& modal, const ModalMotion& motion) {
     modal.assume(Group::Motion, motion.member, motion.by);
-    if (motion.is_lost) modal.lost |= sema::group_bit(Group::Motion);
-    else if (motion.member != Function::Rapid) modal.restate_motion = true;
+    if (motion.is_lost) modal.lost.lose_again(sema::group_bit(Group::Motion));
+    else if (motion.member != Function::Rapid) modal.owed.owe_motion();
 }
 
 }  // namespace
@@ -89,8 +87,7 @@ void keep_motion(ModalState& modal, const ModalMotion& motion) {
 bool is_about_tilted_plane(const Running& run, const sema::Plan& plan) {
     for (const nc::Invocation& invocation : plan.functions) {
         if (nc::has_fact(invocation.function, nc::Fact::BeginsOrEndsTiltedPlane)) return true;
-        if (run.modal.tilt != ModalState::PlaneTilt::None &&
-            nc::has_fact(invocation.function, nc::Fact::MovesSystem))
+        if (run.modal.tilt.acts() && nc::has_fact(invocation.function, nc::Fact::MovesSystem))
             return true;
     }
     return false;
@@ -100,26 +97,26 @@ Done emit_tilted_plane(Running& run, const sema::Plan& plan, const Instruction& 
                        const Slot* registers, std::uint32_t at) {
     const Function function = plan.functions.front().function;
     if (!nc::has_fact(function, nc::Fact::BeginsOrEndsTiltedPlane)) {
-        const bool may_change = run.modal.tilt == ModalState::PlaneTilt::Own;
+        const bool may_change = run.modal.tilt.kind() == PlaneTilt::Own;
         if (may_change && function != Function::WorkOffset && function != Function::SetPosition)
             return emit_plan_of_frame(run, plan, instruction, registers, at);
         return refuse_in_tilted_plane(run, nc::info(function).name, at);
     }
     if (run.recordings.is_open()) return refuse_in_contour(run, "a tilted plane", at);
-    const bool is_outermost = run.modal.tilt == ModalState::PlaneTilt::Resolved
-                                  ? run.modal.frame == run.modal.tilted_plane_frame
-                                  : run.modal.frame.is_identity();
+    const bool is_outermost = run.modal.tilt.kind() == PlaneTilt::Resolved
+                                  ? run.modal.frame.now() == run.modal.tilt.frame()
+                                  : run.modal.frame.now().is_identity();
     if (!is_outermost) {
         fault(run, diag::TiltInFrame, at).arg(nc::info(function).name);
         return kFailed;
     }
     const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
     if (function == Function::TiltedPlaneOff) {
-        if (run.modal.tilt == ModalState::PlaneTilt::None) return kDone;
-        if (run.modal.tilt != ModalState::PlaneTilt::Resolved)
+        if (run.modal.tilt.kind() == PlaneTilt::None) return kDone;
+        if (run.modal.tilt.kind() != PlaneTilt::Resolved)
             return emit_block(run, plan, instruction, registers, at);
         write_frame(run, {}, source, at, instruction.c);
-        run.modal.tilt = ModalState::PlaneTilt::None;
+        run.modal.tilt.choose(PlaneTilt::None);
         return Done(!run.status.has_failed());
     }
     if (run.target.can_write(Function::Tilt))
@@ -190,7 +187,7 @@ Done say_euler(Running& run, const std::array<double, 6>& values, SourceId sourc
     block.motion = Function::Rapid;
     run.modal.take_block(block, run.target.rules());
     if (run.options.trace) keep_trace(run, at, depth, source);
-    if (run.modal.tilt != ModalState::PlaneTilt::None) add(Function::TiltedPlaneOff, {});
+    if (run.modal.tilt.acts()) add(Function::TiltedPlaneOff, {});
     add(Function::TiltedPlaneEuler, said);
     add(Function::AlignTool,
         std::array{ArgumentValue{nc::parameter_of<Function::AlignTool>("way"), 0}});
@@ -229,7 +226,7 @@ Done resolve_tilted_plane(Running& run, const std::array<double, 6>& values, Sou
         if (!chain.has(k)) continue;
         const Axis axis = chain.joints[k].axis;
         const auto slot = static_cast<Eigen::Index>(k);
-        if ((run.modal.known & bit(axis)) != 0)
+        if ((run.modal.position.known() & bit(axis)) != 0)
             query.start[slot] = rad_from_deg(run.modal.position[index(axis)]);
         if (const machine::MachineAxis* limits = machine->find(axis))
             query.limits[k] = {limits->lower, limits->upper};
@@ -258,8 +255,7 @@ Done resolve_tilted_plane(Running& run, const std::array<double, 6>& values, Sou
     next.angle_deg = neat_angle(deg_from_rad(std::atan2(whole.linear(1, 0), whole.linear(0, 0))));
     if (!say_joints(run, chain, *joints, source, at, depth)) return kFailed;
     write_frame(run, next, source, at, depth);
-    run.modal.tilt = ModalState::PlaneTilt::Resolved;
-    run.modal.tilted_plane_frame = run.modal.frame;
+    run.modal.tilt.resolve(run.modal.frame.now());
     return Done(!run.status.has_failed());
 }
 

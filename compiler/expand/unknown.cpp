@@ -88,94 +88,10 @@ bool has_group(const Block& block, Group group) {
 
 }  // namespace
 
-// ---------------------------------------------------------------- what becomes unknown
-
-void ModalState::forget(SourceId source) {
-    const AxisMask before = std::exchange(known, AxisMask{0});
-    note_lost_positions(before, source, Loss::RawText);
-    // What X of the program is does not change by that: the text writes it again.
-    const Function diameter = (*this)[Group::Diameter];
-    active.fill(Function::None);
-    has_feed = has_speed = has_tool = has_tool_in = false;
-    length.offset.reset();
-    master_spindle = 0;
-    lacks_tool = lacks_speed = false;
-    lose_all_drift();
-    restate_motion = false;
-    has_ended = spindle_in_doubt = is_feed_lost = false;
-    restate = 0;
-    comp_choice = kNoChoice;
-    lost = sema::kFrameBit | sema::kFeedBit | sema::kSpeedBit;
-    for (std::size_t i = 0; i < nc::kGroups; ++i) lost |= group_bit(static_cast<Group>(i));
-    if (diameter != Function::None) {
-        active[static_cast<std::size_t>(Group::Diameter)] = diameter_due = diameter;
-        lost &= ~group_bit(Group::Diameter);
-    }
-    lost_by = source;
-    lost_in = Loss::RawText;
-}
-
-void ModalState::forget_feed(SourceId source) {
-    has_feed = false;
-    lost |= sema::kFeedBit;
-    lost_by = source;
-    lost_in = Loss::EndOfWith;
-}
-
-void ModalState::join(const ModalState& without, SourceId block) {
-    for (std::size_t i = 0; i < kAxes; ++i) {
-        const bool is_same = (without.known >> i & 1u) != 0 && position[i] == without.position[i];
-        if (!is_same) known &= static_cast<AxisMask>(~(1u << i));
-    }
-    note_lost_positions(without.known, block, Loss::SkippedBlock);
-    // The tool may stand as it did; what was unknown of the drift stays so (take_words).
-    is_turned |= without.is_turned;
-    is_inclined |= without.is_inclined;
-    has_tool &= without.has_tool && tool == without.tool;
-    has_tool_in &= without.has_tool_in && tool_in == without.tool_in;
-    if (master_spindle != without.master_spindle) master_spindle = 0;
-    if (length.offset != without.length.offset) length.offset.reset();
-    if (has_feed != without.has_feed || feed != without.feed) restate |= sema::kFeedBit;
-    if (has_speed != without.has_speed || speed != without.speed) restate |= sema::kSpeedBit;
-    for (std::size_t i = 0; i < nc::kGroups; ++i)
-        if (active[i] != without.active[i]) join_group(static_cast<Group>(i), block);
-}
-
-/// A group whose member is the operator's choice.
-void ModalState::join_group(Group group, SourceId block) {
-    switch (group) {
-        case Group::FeedMode:
-            restate |= group_bit(group);
-            if (!has_feed) lose_to_choice(sema::kFeedBit, block);
-            break;
-        case Group::SpeedMode:
-            restate |= group_bit(group);
-            if (!has_speed) lose_to_choice(sema::kSpeedBit, block);
-            break;
-        case Group::Spindle:
-        case Group::Coolant:
-            // To write it again would take the choice away.
-            active[static_cast<std::size_t>(group)] = Function::None;
-            lose_to_choice(group_bit(group), block);
-            if (group != Group::Spindle) break;
-            spindle_in_doubt = true;
-            reported.renew(ProgramNotice::SpindleInDoubt);
-            break;
-        case Group::Diameter: diameter_due = (*this)[group]; break;
-        default: break;  // written again by the writer
-    }
-}
-
-void ModalState::lose_to_choice(sema::ModalMask what, SourceId block) {
-    lost |= what;
-    lost_by = block;
-    lost_in = Loss::SkippedBlock;
-}
-
 // ---------------------------------------------------------------- what needs it
 
 void report_lost_position(const Running& run, DiagnosticBuilder& builder, std::size_t axis) {
-    const LostBy& lost = run.modal.position_lost_by[axis];
+    const LostBy& lost = run.modal.position.lost_by(axis);
     if (lost.statement.is_valid() && lost.statement.index < run.code.statements.size())
         builder.note(run.code.statements[lost.statement.index], words_of(lost.how));
 }
@@ -189,19 +105,20 @@ Done refuse_lost_state(Running& run, std::string_view what, std::string_view fix
 void report_loss(Running& run, DiagnosticBuilder builder, std::string_view what,
                  std::string_view fix) {
     builder.arg(what);
-    if (run.modal.lost_by.is_valid() && run.modal.lost_by.index < run.code.statements.size()) {
-        builder.note(run.code.statements[run.modal.lost_by.index], words_of(run.modal.lost_in));
+    if (run.modal.lost.by().is_valid() && run.modal.lost.by().index < run.code.statements.size()) {
+        builder.note(run.code.statements[run.modal.lost.by().index],
+                     words_of(run.modal.lost.how()));
     }
     builder.fix(std::string(fix));
-    const std::string words = words_of_lost(run.modal.lost);
-    if (run.modal.lost_in == Loss::RawText && !words.empty())
+    const std::string words = words_of_lost(run.modal.lost.what());
+    if (run.modal.lost.how() == Loss::RawText && !words.empty())
         builder.fix("or say behind the raw text all at once what the part needs: " + words);
 }
 
 namespace {
 
 Done require_state(Running& run, const Block& block, std::uint32_t at) {
-    const auto lacks = [&](Group group) { return (run.modal.lost & group_bit(group)) != 0; };
+    const auto lacks = [&](Group group) { return run.modal.lost.has(group); };
     const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
     const Function motion = run.modal[Group::Motion];
     // A control without words for it writes a single distance by the dimensions of its block, too.
@@ -218,11 +135,11 @@ Done require_state(Running& run, const Block& block, std::uint32_t at) {
     if (needs_plane && lacks(Group::Plane))
         return refuse_lost_state(run, "the plane", kPlaneFix, at);
     const bool needs_frame = block.find(nc::Fact::AddsToFrame) != nullptr;
-    if (needs_frame && (run.modal.lost & sema::kFrameBit) != 0)
+    if (needs_frame && run.modal.lost.has(sema::kFrameBit))
         return refuse_lost_state(run, "the frame", kFrameFix, at);
     const bool needs_feed =
         moves(block) && nc::has_fact(motion, nc::Fact::Cut) && !run.recordings.is_open();
-    if (needs_feed && !block.has(nc::Slot::Feed) && (run.modal.lost & sema::kFeedBit) != 0)
+    if (needs_feed && !block.has(nc::Slot::Feed) && run.modal.lost.has(sema::kFeedBit))
         return refuse_lost_state(run, "the feed", "give the block an F", at);
     return kDone;
 }
@@ -231,23 +148,22 @@ Done require_state(Running& run, const Block& block, std::uint32_t at) {
 
 Done require_state_for_cycle(Running& run, const sema::FunctionCode& cycle, std::uint32_t given,
                              std::uint32_t at) {
-    if ((run.modal.lost & group_bit(Group::Distance)) != 0)
+    if (run.modal.lost.has(Group::Distance))
         return refuse_lost_state(run, "whether coordinates are absolute", kDistanceFix, at);
-    if ((run.modal.lost & group_bit(Group::Plane)) != 0)
-        return refuse_lost_state(run, "the plane", kPlaneFix, at);
+    if (run.modal.lost.has(Group::Plane)) return refuse_lost_state(run, "the plane", kPlaneFix, at);
     const auto feed = std::ranges::find(cycle.parameters, sema::ParameterInfo::Kind::Feed,
                                         &sema::ParameterInfo::kind);
     const bool lacks_feed =
         feed != cycle.parameters.end() && (given >> (feed - cycle.parameters.begin()) & 1u) == 0;
-    if (lacks_feed && (run.modal.lost & sema::kFeedBit) != 0)
+    if (lacks_feed && run.modal.lost.has(sema::kFeedBit))
         return refuse_lost_state(run, "the feed", "say F before it", at);
     return kDone;
 }
 
 Done require_frame(Running& run, bool turns, std::uint32_t at) {
-    if ((run.modal.lost & sema::kFrameBit) != 0)
+    if (run.modal.lost.has(sema::kFrameBit))
         return refuse_lost_state(run, "the frame", kFrameFix, at);
-    if (turns && (run.modal.lost & group_bit(Group::Plane)) != 0)
+    if (turns && run.modal.lost.has(Group::Plane))
         return refuse_lost_state(run, "the plane", kPlaneFix, at);
     return kDone;
 }
@@ -258,24 +174,26 @@ Done require_sure_compensation(Running& run, const Block& block, std::uint32_t a
     const bool needs = (block.given & (plane | nc::kCenterSlots)) != 0 ||
                        has_group(block, Group::Plane) ||  // an alarm beside a contour
                        (block.function_count != 0 && changes_tool(run, block));
-    if (!needs || block.skip_level == run.modal.comp_choice) return kDone;
+    if (!needs || block.skip_level == run.modal.compensation.choice()) return kDone;
     compensation_chosen(run, fault(run, diag::CompensationInDoubt, at));
     return kFailed;
 }
 
 void compensation_chosen(Running& run, DiagnosticBuilder builder) {
-    if (run.modal.comp_by.is_valid() && run.modal.comp_by.index < run.code.statements.size())
-        builder.note(run.code.statements[run.modal.comp_by.index], "this block may be left out");
+    if (run.modal.compensation.by().is_valid() &&
+        run.modal.compensation.by().index < run.code.statements.size())
+        builder.note(run.code.statements[run.modal.compensation.by().index],
+                     "this block may be left out");
     builder.fix("leave out all of the contour: the same `/` in each of its blocks");
 }
 
 Done require_feed_mode(Running& run, std::uint32_t at) {
-    if ((run.modal.lost & group_bit(Group::FeedMode)) == 0) return kDone;
+    if (!run.modal.lost.has(Group::FeedMode)) return kDone;
     return refuse_lost_state(run, "what F means", "say `G94`, `G95` or `G93`", at);
 }
 
 Done require_speed_mode(Running& run, std::uint32_t at) {
-    if ((run.modal.lost & group_bit(Group::SpeedMode)) == 0) return kDone;
+    if (!run.modal.lost.has(Group::SpeedMode)) return kDone;
     // A control without constant cutting speed knows one meaning of S.
     const auto on = static_cast<std::size_t>(Function::CuttingSpeedOn);
     if (run.target.tables().forms_of[on].empty()) return kDone;
@@ -288,18 +206,20 @@ namespace {
 
 void put_again(Running& run, Block& block) {
     const auto say_mode = [&](Group group) {
-        if ((run.modal.restate & group_bit(group)) == 0 || has_group(block, group)) return;
+        if ((run.modal.lost.restate() & group_bit(group)) == 0 || has_group(block, group)) return;
         if (run.modal[group] != Function::None) block.add(run.modal[group]);
     };
     say_mode(Group::FeedMode);
     say_mode(Group::SpeedMode);
     constexpr sema::ModalMask kFeed = sema::kFeedBit | group_bit(Group::FeedMode);
     constexpr sema::ModalMask kSpeed = sema::kSpeedBit | group_bit(Group::SpeedMode);
-    if ((run.modal.restate & kFeed) != 0 && run.modal.has_feed && !block.has(nc::Slot::Feed))
-        block.set(nc::Slot::Feed, run.modal.feed);
-    if ((run.modal.restate & kSpeed) != 0 && run.modal.has_speed && !block.has(nc::Slot::Speed))
-        block.set(nc::Slot::Speed, run.modal.speed);
-    if (block.skip_level < 0) run.modal.restate = 0;
+    if ((run.modal.lost.restate() & kFeed) != 0 && run.modal.feed.is_known() &&
+        !block.has(nc::Slot::Feed))
+        block.set(nc::Slot::Feed, run.modal.feed.value());
+    if ((run.modal.lost.restate() & kSpeed) != 0 && run.modal.speed.is_known() &&
+        !block.has(nc::Slot::Speed))
+        block.set(nc::Slot::Speed, run.modal.speed.value());
+    if (block.skip_level < 0) run.modal.lost.settle(run.modal.lost.restate());
 }
 
 }  // namespace
@@ -315,13 +235,13 @@ void say_diameter(Running& run, Block& block) {
     bool acts = block.motion != Function::None || (block.given & nc::kTargetSlots) != 0;
     for (std::size_t i = 0; i < block.function_count; ++i)
         acts = acts || nc::info(block.functions[i].function).group != Group::NonModal;
-    if (!acts || block.skip_level >= 0 || !block.add(run.modal.diameter_due)) return;
-    run.modal.diameter_due = Function::None;
+    if (!acts || block.skip_level >= 0 || !block.add(run.modal.owed.diameter())) return;
+    run.modal.owed.owe_diameter(Function::None);
 }
 
 void say_diameter_alone(Running& run, SourceId source, std::uint32_t at, std::size_t depth) {
-    next_block(run, source).add(run.modal.diameter_due);
-    run.modal.diameter_due = Function::None;
+    next_block(run, source).add(run.modal.owed.diameter());
+    run.modal.owed.owe_diameter(Function::None);
     if (run.options.trace) keep_trace(run, at, static_cast<unsigned>(depth), source);
 }
 
@@ -334,33 +254,34 @@ void warn_of_radius(Running& run, const Block& block, std::uint32_t at) {
 }
 
 Done settle_unknown(Running& run, Block& block, std::uint32_t at) {
-    if (run.modal.lost != 0 && !require_state(run, block, at)) return kFailed;
+    if (run.modal.lost.what() != 0 && !require_state(run, block, at)) return kFailed;
     if (run.recordings.is_open() || !moves(block) ||
         !nc::has_fact(run.modal[Group::Motion], nc::Fact::Cut))
         return kDone;
-    if (run.modal.restate != 0) put_again(run, block);
-    if (run.modal.spindle_in_doubt && run.modal.reported.first_time(ProgramNotice::SpindleInDoubt))
+    if (run.modal.lost.restate() != 0) put_again(run, block);
+    if (run.modal.speed.is_turning_in_doubt() &&
+        run.modal.reported.first_time(ProgramNotice::SpindleInDoubt))
         warn_of_choice(run, fault(run, diag::SpindleInDoubt, at));
     return kDone;
 }
 
 void warn_of_choice(Running& run, DiagnosticBuilder builder) {
-    if (run.modal.lost_by.is_valid() && run.modal.lost_by.index < run.code.statements.size())
-        builder.note(run.code.statements[run.modal.lost_by.index], "this block may be left out");
+    if (run.modal.lost.by().is_valid() && run.modal.lost.by().index < run.code.statements.size())
+        builder.note(run.code.statements[run.modal.lost.by().index], "this block may be left out");
 }
 
 // ---------------------------------------------------------------- promises, the end, arcs
 
 Done keep_promise(Running& run, const OpenWith& promise, std::uint32_t at) {
     const ModalState& before = promise.before;
-    const sema::ModalMask lost = promise.mask & run.modal.lost & ~before.lost;
+    const sema::ModalMask lost = promise.mask & run.modal.lost.what() & ~before.lost.what();
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         const auto group = static_cast<Group>(i);
         if ((lost & group_bit(group)) == 0 || before[group] != Function::None) continue;
         fault(run, diag::StateUnknown, at).arg(nc::group_name(group));
         return kFailed;
     }
-    return lost == 0 ? kDone : set_back(run, {lost, before}, run.modal.lost_by, at, 0);
+    return lost == 0 ? kDone : set_back(run, {lost, before}, run.modal.lost.by(), at, 0);
 }
 
 void warn_after_end(Running& run, std::uint32_t at) {
@@ -382,7 +303,7 @@ Done require_radius(Running& run, const Block& block, std::uint32_t at) {
             if (!block.has(slot)) continue;
             double distance = block.at(slot);
             if ((block.absolute & nc::bit(slot)) != 0) {
-                if ((run.modal.known >> axis & 1u) == 0) return kDone;
+                if (!run.modal.position.knows(axis)) return kDone;
                 distance -= run.modal.position[axis];
             }
             is_point = is_point && std::fabs(distance) < kNoRadius;

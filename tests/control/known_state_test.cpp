@@ -126,7 +126,7 @@ class OneByOne final : public Stream<nc::Block> {
 
 /// Not known, or not before the output has said it again: behind a block that may be left out.
 bool is_lost(const ModalState& known, sema::ModalMask what) {
-    return ((known.lost | known.restate) & what) != 0;
+    return ((known.lost.what() | known.lost.restate()) & what) != 0;
 }
 bool is_lost(const ModalState& known, Group group) {
     return is_lost(known, sema::group_bit(group));
@@ -144,7 +144,7 @@ std::optional<path::FeedMode> feed_mode_of(const ModalState& known) {
 }
 
 std::optional<path::SpindleMode> spindle_of(const ModalState& known) {
-    if (is_lost(known, Group::Spindle) || known.spindle_in_doubt) return std::nullopt;
+    if (is_lost(known, Group::Spindle) || known.speed.is_turning_in_doubt()) return std::nullopt;
     switch (known[Group::Spindle]) {
         case Function::SpindleOrient: return path::SpindleMode::Orient;
         case Function::SpindleCw: return path::SpindleMode::Cw;
@@ -163,28 +163,28 @@ std::string contradiction(const Known& behind, const interp::Interpreter& interp
     const ModalState& known = behind.state;
     const interp::Snapshot now = interpreter.snapshot();
     for (std::size_t i = 0; i < kAxes; ++i) {
-        if ((known.known >> i & 1u) == 0 || (now.axes >> i & 1u) == 0) continue;
+        if (!known.position.knows(i) || (now.axes >> i & 1u) == 0) continue;
         if (std::abs(known.position[i] - now.work[i]) > kRounded)
             return pair(kAxisNames[i], known.position[i], now.work[i]);
     }
     const auto mode = feed_mode_of(known);
     if (mode && *mode != now.feed_mode) return "another feed mode";
     const bool has_feed =
-        behind.has_feed_of_text && known.has_feed && !is_lost(known, sema::kFeedBit);
+        behind.has_feed_of_text && known.feed.is_known() && !is_lost(known, sema::kFeedBit);
     if (has_feed && mode && now.feed &&
-        std::abs(known.feed - *now.feed) > 0.006 + 1e-6 * known.feed)
-        return pair("F", known.feed, *now.feed);
+        std::abs(known.feed.value() - *now.feed) > 0.006 + 1e-6 * known.feed.value())
+        return pair("F", known.feed.value(), *now.feed);
     if (has_feed && mode && !now.feed) return "no F";
-    const bool has_speed = known.has_speed && !is_lost(known, sema::kSpeedBit);
-    if (has_speed && std::abs(known.speed - now.speed) > 0.6)
-        return pair("S", known.speed, now.speed);
+    const bool has_speed = known.speed.is_known() && !is_lost(known, sema::kSpeedBit);
+    if (has_speed && std::abs(known.speed.value() - now.speed) > 0.6)
+        return pair("S", known.speed.value(), now.speed);
     const auto spindle = spindle_of(known);
     if (spindle && *spindle != now.spindle)
         return pair("the spindle", static_cast<double>(*spindle), static_cast<double>(now.spindle));
-    if (known.has_tool_in && known.tool_in != static_cast<double>(now.tool))
-        return pair("T", known.tool_in, static_cast<double>(now.tool));
+    if (known.tool.in() && *known.tool.in() != static_cast<double>(now.tool))
+        return pair("T", *known.tool.in(), static_cast<double>(now.tool));
     if (known[Group::WorkOffsets] == Function::WorkOffset && !is_lost(known, Group::WorkOffsets) &&
-        known.due_offset == 0 && known.work_offset != static_cast<double>(now.work_offset))
+        known.owed.work_offset() == 0 && known.work_offset != static_cast<double>(now.work_offset))
         return pair("the work offset", known.work_offset, static_cast<double>(now.work_offset));
     return {};
 }

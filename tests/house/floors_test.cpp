@@ -227,20 +227,6 @@ TEST(House, NoSwitchListsFunctions) {
     }
 }
 
-/// What acts in a modal group is set by blocks, or assumed by name: nowhere else.
-TEST(House, ModalStateOfTheExpanderIsSetInItsOwnFiles) {
-    static const std::regex inside(R"((?:\.|->)active\[)");
-    const fs::path room = kRoot / "compiler/expand";
-    const std::set<fs::path> own = {room / "modal.h", room / "modal.cpp", room / "unknown.cpp"};
-    for (const fs::directory_entry& entry : fs::directory_iterator(room)) {
-        if (own.contains(entry.path())) continue;
-        const std::string text = without_comments(kadr::read_file(entry.path()).value_or(""));
-        std::smatch found;
-        if (std::regex_search(text, found, inside))
-            ADD_FAILURE() << entry.path() << " reaches into the members of ModalState";
-    }
-}
-
 /// Which argument of a function is meant is said by its name, parameter_of<…>("to"): its number is
 /// the table's alone.
 TEST(House, NoArgumentIsAskedByItsPlace) {
