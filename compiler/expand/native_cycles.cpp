@@ -11,7 +11,7 @@
 #include "expand/cuts.h"
 #include "expand/cycles.h"
 #include "expand/faults.h"
-#include "expand/input.h"
+#include "expand/input_positions.h"
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/running.h"

@@ -49,7 +49,7 @@ constexpr int kDirectionDigits = 7;
 constexpr double kMostDigits = 1e9;
 
 /// Components of a unit vector that are nothing but rounding.
-constexpr double kRounding = 1e-12;
+constexpr double kNoComponent = 1e-12;
 
 constexpr AxisMask kRotary = bit(Axis::A) | bit(Axis::B) | bit(Axis::C);
 
@@ -86,7 +86,7 @@ Vec3 written(const Vec3& programmed, int digits) {
         return programmed;
     Vec3 direction = programmed.normalized();
     for (Eigen::Index i = 0; i < 3; ++i)
-        if (std::fabs(direction[i]) < kRounding) direction[i] = 0;
+        if (std::fabs(direction[i]) < kNoComponent) direction[i] = 0;
     return direction * std::pow(10.0, std::max(0, kDirectionDigits - digits));
 }
 
@@ -306,7 +306,7 @@ Done settle_direction(Running& run, Block& block, std::uint32_t at) {
     each([&](const nc::Invocation& part, Eigen::Index i) {
         programmed[i] = block.argument(part, kValue);
     });
-    if (programmed.norm() < kRounding) {
+    if (programmed.norm() < kNoComponent) {
         fault(run, diag::OrientZero, at);
         return kFailed;
     }
@@ -315,7 +315,7 @@ Done settle_direction(Running& run, Block& block, std::uint32_t at) {
         block.set_argument(part, kValue, direction[i]);
     });
     const double aside = std::hypot(direction.x(), direction.y());
-    run.modal.tcp.incline(!(direction.z() > 0) || aside > kRounding * direction.z());
+    run.modal.tcp.incline(!(direction.z() > 0) || aside > kNoComponent * direction.z());
     run.modal.position.turn(true);
     run.modal.position.lose(kRotary);
     run.modal.put_motion(block);

@@ -10,7 +10,7 @@
 #include "expand/cutters.h"
 #include "expand/faults.h"
 #include "expand/frame_blocks.h"
-#include "expand/input.h"
+#include "expand/input_tools.h"
 #include "expand/native_cycles.h"
 #include "expand/orienting.h"
 #include "expand/running.h"

@@ -16,7 +16,7 @@
 #include "expand/contours.h"
 #include "expand/faults.h"
 #include "expand/frame_blocks.h"
-#include "expand/input.h"
+#include "expand/input_frames.h"
 #include "expand/numbers.h"
 #include "expand/orienting.h"
 #include "expand/running.h"
@@ -57,7 +57,7 @@ Vec3 three(const std::array<double, 6>& values, std::size_t first) {
 }
 
 /// What is left beside a rotation about Z is rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kNoTilt = 1e-9;
 
 /// Angles of a resolved plane that differ from 0 by less are 0, deg.
 constexpr double kNoAngle = 1e-9;
@@ -237,7 +237,7 @@ Done resolve_tilted_plane(Running& run, const std::array<double, 6>& values, Sou
         return kFailed;
     }
     const bool head_turns =
-        (machine::tool_in_base(chain, *joints) - chain.tool_direction).norm() > kRounding;
+        (machine::tool_in_base(chain, *joints) - chain.tool_direction).norm() > kNoTilt;
     if (head_turns) {
         fault(run, diag::TiltOfHead, at).arg(run.target.name()).arg(machine->name);
         return kFailed;
