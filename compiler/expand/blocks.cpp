@@ -2,21 +2,15 @@
 #include "expand/blocks.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
-#include <span>
 
-#include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
-#include "base/diagnostics/iso.h"
-#include "base/readable.h"
-#include "expand/contours.h"
+#include "expand/block_values.h"
+#include "expand/contour_recording.h"
 #include "expand/cuts.h"
 #include "expand/cycles.h"
 #include "expand/faults.h"
-#include "expand/feed_words.h"
 #include "expand/frame_blocks.h"
 #include "expand/input.h"
 #include "expand/input_frames.h"
@@ -25,7 +19,6 @@
 #include "expand/numbers.h"
 #include "expand/orienting.h"
 #include "expand/running.h"
-#include "expand/text_format.h"
 #include "expand/tilted_planes.h"
 #include "expand/unknown.h"
 #include "nc/frame_words.h"
@@ -43,32 +36,11 @@ namespace {
 
 Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
                 const Slot* registers, std::uint32_t at);
-Done fill(Running& run, nc::Block& block, const sema::Filling& filling, Slot value,
-          std::uint32_t at);
-Done fill_speed(Running& run, nc::Block& block, const sema::Filling& filling, double value,
-                std::uint32_t at);
 
-constexpr double kMmPerMeter = 1000;
 constexpr nc::SlotMask kPointSlots = 7;  // X, Y, Z
 constexpr std::uint32_t kOfCycles = sema::custom::kCyclePosition | sema::custom::kPlaces;
 
 }  // namespace
-
-std::uint32_t word_of(const Running& run, const Filling& filling, std::uint32_t at) {
-    const Instruction& emit = run.code.instructions[at];
-    if (emit.op != OpCode::Emit) return at;  // a feed of `follow`
-    const sema::Plan& plan = run.code.plans[static_cast<std::size_t>(emit.immediate.pair.first)];
-    const auto value = static_cast<std::uint16_t>(emit.a + (&filling - plan.fillings.data()));
-    const SourceRange block = run.code.locations[at];
-    for (std::uint32_t i = at; i-- > 0;) {
-        const SourceRange location = run.code.locations[i];
-        const bool is_inside = location.file == block.file && location.begin >= block.begin &&
-                               location.end <= block.end;
-        if (!is_inside) break;
-        if (run.code.instructions[i].a == value) return i;
-    }
-    return at;
-}
 
 Done require_room(Running& run, std::uint32_t at) {
     if (run.curve.is_in_point) [[unlikely]] {
@@ -98,22 +70,36 @@ void drop_block(Running& run, const Block& block) {
     if (!run.recordings.is_kept(block)) run.batch.drop_last();
 }
 
-void keep_trace(Running& run, std::uint32_t at, unsigned depth, SourceId source) {
+namespace {
+
+/// calls        how many of them lead to the block
+void keep_trace_of(Running& run, std::size_t calls, std::uint32_t at, unsigned depth,
+                   SourceId source) {
     if (run.recordings.is_open()) return;  // a block of a contour is none of the output
+    const CallStack& stack = run.vm.calls;
     BlockOrigin trace;
     trace.statement = source.is_valid() && source.index < run.code.statements.size()
                           ? run.code.statements[source.index]
                           : run.code.locations[at];
-    for (std::size_t i = 1; i < run.vm.calls.size(); ++i) {
-        if (run.vm.calls[i].return_to == 0) continue;
-        trace.calls.push_back({run.code.locations[run.vm.calls[i].return_to - 1],
-                               run.vm.calls[i].function->name, run.vm.calls[i].loops});
+    for (std::size_t i = 1; i < calls; ++i) {
+        if (stack[i].return_to == 0) continue;
+        trace.calls.push_back(
+            {run.code.locations[stack[i].return_to - 1], stack[i].function->name, stack[i].loops});
     }
-    const std::size_t loops = run.vm.calls.back().loops + depth;
-    trace.loop_counts.assign(run.vm.loop_counts.begin(),
-                             run.vm.loop_counts.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                              loops, run.vm.loop_counts.size())));
+    const std::vector<std::uint64_t>& counts = run.vm.loop_counts;
+    const std::size_t loops = std::min<std::size_t>(stack[calls - 1].loops + depth, counts.size());
+    trace.loop_counts.assign(counts.begin(), counts.begin() + static_cast<std::ptrdiff_t>(loops));
     run.batch.add_origin(std::move(trace));
+}
+
+}  // namespace
+
+void keep_trace(Running& run, std::uint32_t at, unsigned depth, SourceId source) {
+    keep_trace_of(run, run.vm.calls.size(), at, depth, source);
+}
+
+void keep_trace_of_caller(Running& run, std::uint32_t at, unsigned depth, SourceId source) {
+    keep_trace_of(run, run.vm.calls.size() - 1, at, depth, source);
 }
 
 Done emit(Running& run, const Instruction& instruction, const sema::Slot* registers,
@@ -146,14 +132,14 @@ Done emit_block(Running& run, const sema::Plan& plan, const Instruction& instruc
     if (run.modal.owed.work_offset() != 0) [[unlikely]]
         say_offset(run, plan, instruction, at);
     if (run.modal.owed.diameter() != Function::None && plan.skip_level >= 0) [[unlikely]] {
-        const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+        const SourceId source = statement_of(instruction);
         say_diameter_alone(run, source, at, instruction.c);
     }
     if (run.modal.owed.position()) [[unlikely]]
         write_position(run, plan, instruction, at);
     if (run.modal.drifts.unplaced() != 0 && instruction.b == 0 && is_whole_circle(run, plan))
         [[unlikely]] {
-        const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+        const SourceId source = statement_of(instruction);
         if (!write_positions(run, source, at, instruction.c)) return kFailed;
     }
     if (!fill_plan(run, plan, instruction, registers, at)) {
@@ -163,8 +149,7 @@ Done emit_block(Running& run, const sema::Plan& plan, const Instruction& instruc
     if (plan.customs == 0) [[likely]]
         return kDone;
     if ((plan.customs & sema::custom::kReference) != 0)
-        go_over_position(run,
-                         SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
+        go_over_position(run, statement_of(instruction));
     const Block& block = run.batch.last();
     const bool is_empty =
         block.function_count == 0 && block.given == 0 && block.motion == Function::None;
@@ -182,8 +167,7 @@ Done fill_plan(Running& run, const sema::Plan& plan, const Instruction& instruct
     // Nobody knows here whether the operator lets the block run.
     const ModalState without = run.modal;
     if (!fill_block(run, plan, instruction, registers, at)) return kFailed;
-    run.modal.join(without,
-                   SourceId{static_cast<std::uint32_t>(instruction.immediate.pair.second)});
+    run.modal.join(without, statement_of(instruction));
     return kDone;
 }
 
@@ -256,7 +240,7 @@ std::optional<bool> take_functions(Running& run, Block& block, const sema::Plan&
 
 Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruction,
                 const sema::Slot* registers, std::uint32_t at) {
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     Block& block = next_block(run, source);
     if ((plan.customs & kOfCycles) != 0) [[unlikely]]
         run.cycle.begin_block(run.modal[Group::Motion]);
@@ -359,175 +343,14 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
     return kDone;
 }
 
-Done fill(Running& run, Block& block, const Filling& filling, sema::Slot value, std::uint32_t at) {
-    double number = value.number;
-    switch (filling.form) {
-        case Filling::Form::Text:
-            block.text = run.vm.heap.text(value.integer);
-            block.functions[filling.invocation].given |= 1u << filling.parameter;
-            return kDone;
-        case Filling::Form::Count:
-            if (value.integer == sema::kNotGivenInteger) {
-                not_given(run, {}, word_of(run, filling, at));
-                return kFailed;
-            }
-            number = static_cast<double>(value.integer);
-            break;
-        case Filling::Form::FeedBare:
-        case Filling::Form::Feed:
-        case Filling::Form::FeedPerTime:
-        case Filling::Form::FeedPerTurn:
-        case Filling::Form::FeedInverse: return fill_feed(run, block, filling, number, at);
-        case Filling::Form::SpeedBare:
-        case Filling::Form::Speed:
-        case Filling::Form::SpeedPerTime:
-        case Filling::Form::SpeedCutting: return fill_speed(run, block, filling, number, at);
-        case Filling::Form::Diameter:
-            if (!run.modal.is_diameter) number /= 2;
-            break;
-        case Filling::Form::Plain: break;
-    }
-    if (!is_sane(number)) {
-        if (number != number) not_given(run, {}, word_of(run, filling, at));
-        else math_fault(run, sema::MathFault::Overflow, at);
-        return kFailed;
-    }
-    if (filling.is_argument) {
-        block.arguments[filling.index] = number;
-        block.functions[filling.invocation].given |= 1u << filling.parameter;
-    } else {
-        block.set(static_cast<nc::Slot>(filling.index), number);
-    }
-    return kDone;
-}
-
 }  // namespace
-
-Done fill_feed(Running& run, Block& block, const Filling& filling, double value, std::uint32_t at) {
-    if (value != value) {
-        not_given(run, "F", word_of(run, filling, at));
-        return kFailed;
-    }
-    if (run.modal.lost.what() != 0 && !require_feed_mode(run, word_of(run, filling, at)))
-        [[unlikely]]
-        return kFailed;
-    const Function mode = run.modal[Group::FeedMode];
-    Filling::Form form = filling.form;
-    if (form == Filling::Form::Feed) {
-        const bool second = sema::is_second_form(value);
-        if (second) value /= sema::kSecondForm;
-        form = second ? Filling::Form::FeedPerTurn : Filling::Form::FeedPerTime;
-    }
-    Function needed = mode;
-    switch (form) {
-        case Filling::Form::FeedPerTime:
-            needed = Function::FeedPerMinute;
-            value *= kMinute;
-            break;
-        case Filling::Form::FeedPerTurn: needed = Function::FeedPerRevolution; break;
-        case Filling::Form::FeedInverse:
-            needed = Function::FeedInverseTime;
-            value *= kMinute;
-            break;
-        default:
-            if (mode != Function::FeedInverseTime) value *= filling.factor;
-            break;
-    }
-    if (needed != mode) {
-        DiagnosticBuilder builder = fault(run, diag::FeedMode, word_of(run, filling, at));
-        builder.arg(feed_word(needed)).arg(feed_word(mode));
-        const SourceId by = run.modal.by(Group::FeedMode);
-        if (by.is_valid() && by.index < run.code.statements.size())
-            builder.note(run.code.statements[by.index], "the feed mode was set here");
-        builder.fix(std::string("say `") + feed_code(needed) + "` before it, or give the feed in " +
-                    feed_unit(mode));
-        return kFailed;
-    }
-    if (!is_sane(value)) {
-        math_fault(run, sema::MathFault::Overflow, at);
-        return kFailed;
-    }
-    if (!(value > 0)) {
-        const std::string feed = mode == Function::FeedInverseTime ? readable(value)
-                                 : mode == Function::FeedPerRevolution
-                                     ? quantity_text(run, value, sema::kFeedPerTurn)
-                                     : quantity_text(run, value / kMinute, sema::kFeedPerTime);
-        fault(run, diag::FeedZero, word_of(run, filling, at)).arg(feed);
-        return kFailed;
-    }
-    block.set(nc::Slot::Feed, neat(value));
-    return kDone;
-}
-
-namespace {
-
-Done fill_speed(Running& run, Block& block, const Filling& filling, double value,
-                std::uint32_t at) {
-    if (value != value) {
-        not_given(run, "S", word_of(run, filling, at));
-        return kFailed;
-    }
-    if (run.modal.lost.what() != 0 && !require_speed_mode(run, word_of(run, filling, at)))
-        [[unlikely]]
-        return kFailed;
-    const bool is_cutting = run.modal[Group::SpeedMode] == Function::CuttingSpeedOn;
-    Filling::Form form = filling.form;
-    if (form == Filling::Form::Speed) {
-        const bool second = sema::is_second_form(value);
-        if (second) value /= sema::kSecondForm;
-        form = second ? Filling::Form::SpeedCutting : Filling::Form::SpeedPerTime;
-    }
-    if (form == Filling::Form::SpeedBare) {
-        if (is_cutting) value *= filling.factor;
-    } else if (is_cutting != (form == Filling::Form::SpeedCutting)) {
-        fault(run, diag::SpeedMode, word_of(run, filling, at))
-            .arg(is_cutting ? "a spindle speed" : "a cutting speed")
-            .arg(is_cutting ? "on" : "off");
-        return kFailed;
-    } else {
-        value *= is_cutting ? kMinute / kMmPerMeter : kMinute;
-    }
-    if (!is_sane(value)) {
-        math_fault(run, sema::MathFault::Overflow, at);
-        return kFailed;
-    }
-    if (is_cutting && value == 0) {
-        fault(run, diag::CuttingSpeedZero, word_of(run, filling, at));
-        return kFailed;
-    }
-    block.set(nc::Slot::Speed, neat(value));
-    return kDone;
-}
-
-}  // namespace
-
-double state_value(const Running& run, sema::StateValue which) {
-    if (which == sema::StateValue::Feed) {
-        if (!run.modal.feed.is_known()) return sema::kNotGivenNumber;
-        switch (run.modal[Group::FeedMode]) {
-            case Function::FeedPerRevolution: return run.modal.feed.value() * sema::kSecondForm;
-            case Function::FeedPerMinute: return run.modal.feed.value() / kMinute;
-            default: return sema::kNotGivenNumber;
-        }
-    }
-    if (!run.modal.speed.is_known()) return sema::kNotGivenNumber;
-    if (run.modal[Group::SpeedMode] == Function::CuttingSpeedOn) {
-        return run.modal.speed.value() * kMmPerMeter / kMinute * sema::kSecondForm;
-    }
-    return run.modal.speed.value() / kMinute;
-}
-
-std::int64_t spindle_code(const Running& run) {
-    const Function spindle = run.modal[Group::Spindle];
-    return spindle == Function::None ? sema::kNotGivenInteger : nc::code_of_spindle(spindle);
-}
 
 Done emit_text(Running& run, const Instruction& instruction, const sema::Slot* registers,
                std::uint32_t at) {
     if (run.recordings.is_open()) return refuse_in_contour(run, "a text", at);
     if (is_between_positions(run) && instruction.b == 1)
         return refuse_beside_cycle(run, "raw text", at);
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     // A copy: making blocks does not move texts, but nothing should depend on that.
     const std::string text = run.vm.heap.text(registers[instruction.a].integer);
     const bool is_raw = instruction.b == 1;

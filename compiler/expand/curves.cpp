@@ -7,9 +7,9 @@
 #include "base/diagnostics/expand.h"
 #include "base/numbers.h"
 #include "expand/blocks.h"
-#include "expand/contours.h"
 #include "expand/cycles.h"
 #include "expand/faults.h"
+#include "expand/follow.h"
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/running.h"
@@ -84,10 +84,9 @@ std::optional<path::CurveSample> curve_point(Running& run, const Instruction& in
     frame.given = static_cast<std::uint32_t>(run.code.instructions[where + 1].immediate.pair.first);
     frame.promises = run.scopes.promises();
     frame.loops = caller.loops;
-    const std::size_t number = static_cast<std::size_t>(instruction.immediate.pair.first);
-    run.vm.pc = frame.given == run.vm.all_given[number] ? function.body : function.entry;
+    const auto number = static_cast<std::size_t>(instruction.immediate.pair.first);
     run.curve.is_in_point = true;
-    execute<false, true>(run);
+    execute_with_slopes(run, run.vm.beginning_of(function, number, frame.given));
     run.curve.is_in_point = false;
     if (run.status.has_failed()) return std::nullopt;
 
@@ -130,7 +129,7 @@ Done start_curve(Running& run, const Instruction& instruction, std::uint32_t whe
     run.curve.following.emplace();
     Following& curve = *run.curve.following;
     curve.plane = plane_of(run.modal[Group::Plane]);
-    curve.next.source = {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    curve.next.source = statement_of(instruction);
     curve.next.depth = instruction.c;
     curve.next.feed = options_of[at(CurveSlot::Feed)].number;
     curve.next.is_diameter = run.modal.is_diameter;

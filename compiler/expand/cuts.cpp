@@ -57,9 +57,7 @@ Done check_tool_change(Running& run, const Block& block, std::uint32_t at) {
         !changes_tool(run, block))
         return kDone;
     auto builder = fault(run, diag::ToolUnderCompensation, at);
-    const SourceId by = run.modal.by(Group::RadiusComp);
-    if (by.is_valid() && by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "the compensation began here");
+    note_statement(run, builder, run.modal.by(Group::RadiusComp), "the compensation began here");
     builder.fix("end it before: `G40` with a move");
     return kFailed;
 }
@@ -73,9 +71,8 @@ Done check_pitch(Running& run, const Block& block, std::uint32_t at) {
     builder.arg(begins ? "begins" : "ends");
     const SourceId by = run.modal.by(Group::RadiusComp);
     const bool is_here = by.is_valid() && by.index == block.source.index;
-    if (!is_here && by.is_valid() && by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index],
-                     begins ? "it was asked for here" : "it was ended here");
+    if (!is_here)
+        note_statement(run, builder, by, begins ? "it was asked for here" : "it was ended here");
     builder.fix(begins ? "lead in with a line: `G41 G1 X… Y…`, and then the arc"
                        : "lead out with a line behind the arc: `G40 G1 X… Y…`");
     return kFailed;
@@ -128,9 +125,7 @@ Done refuse_lost_feed(Running& run, std::uint32_t at, std::size_t depth) {
     const Function mode = run.modal[Group::FeedMode];
     DiagnosticBuilder builder = fault_in(run, diag::FeedLost, at, depth);
     builder.arg(feed_word(mode));
-    const SourceId by = run.modal.by(Group::FeedMode);
-    if (by.is_valid() && by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "the feed mode was set here");
+    note_statement(run, builder, run.modal.by(Group::FeedMode), "the feed mode was set here");
     builder.fix(std::string("say F in ") + feed_unit(mode) + " behind `" + feed_code(mode) + '`');
     return kFailed;
 }
@@ -193,12 +188,10 @@ void warn_of_spindle(Running& run, std::uint32_t at) {
         run.modal.reported.count_as_reported(ProgramNotice::SpindleStopped);
     DiagnosticBuilder builder = fault(run, row, at);
     const SourceId by = run.modal.by(Group::Spindle);
-    if (run.modal[Group::Spindle] == Function::SpindleStop && by.is_valid() &&
-        by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "it stands from here on");
-    if (is_on && run.modal.speed.is_missing() && by.is_valid() &&
-        by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "it is started here, without S");
+    if (run.modal[Group::Spindle] == Function::SpindleStop)
+        note_statement(run, builder, by, "it stands from here on");
+    if (is_on && run.modal.speed.is_missing())
+        note_statement(run, builder, by, "it is started here, without S");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "expand/blocks.h"
-#include "expand/contours.h"
+#include "expand/contour_recording.h"
 #include "expand/faults.h"
 #include "expand/running.h"
 #include "expand/start.h"
@@ -49,7 +49,7 @@ void set_argument(ActiveCycle& cycle, std::optional<std::size_t> parameter, doub
     cycle.given |= 1u << *parameter;
 }
 
-bool is_given(const ActiveCycle& cycle, std::optional<std::size_t> parameter) {
+bool has_argument(const ActiveCycle& cycle, std::optional<std::size_t> parameter) {
     return parameter && (cycle.given >> *parameter & 1u) != 0;
 }
 
@@ -155,7 +155,8 @@ Done take_cycle_words(Running& run, const Block& block, const nc::Invocation& in
         const auto parameter =
             find_parameter(run.code.functions[run.cycle.source->function].parameters, name);
         // A cycle without such a word keeps it for the next one.
-        if (parameter && is_given(run.cycle, parameter)) set_argument(run.cycle, parameter, value);
+        if (parameter && has_argument(run.cycle, parameter))
+            set_argument(run.cycle, parameter, value);
         else run.cycle.held[static_cast<std::size_t>(word - kHeldWords.begin())] = value;
     }
     return require_no_stroke(run, at);
@@ -254,7 +255,7 @@ void keep_words(Running& run) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
         const bool is_fixed = std::ranges::any_of(
             run.cycle.source->fixed, [&](const auto& fixed) { return fixed.first == parameter; });
-        if (is_given(run.cycle, parameter) && !is_fixed)
+        if (has_argument(run.cycle, parameter) && !is_fixed)
             run.cycle.held[i] = run.cycle.arguments[*parameter];
     }
 }
@@ -263,7 +264,7 @@ void take_kept_words(Running& run) {
     const sema::FunctionCode& function = run.code.functions[run.cycle.source->function];
     for (std::size_t i = 0; i < kHeldWords.size(); ++i) {
         const auto parameter = find_parameter(function.parameters, kHeldWords[i].parameter);
-        if (run.cycle.held[i] && !is_given(run.cycle, parameter))
+        if (run.cycle.held[i] && !has_argument(run.cycle, parameter))
             set_argument(run.cycle, parameter, *run.cycle.held[i]);
     }
 }
@@ -277,7 +278,7 @@ Done require_words(Running& run, std::uint32_t at) {
         const sema::ParameterInfo& parameter = function.parameters[i];
         const auto word = std::ranges::find(kHeldWords, parameter.name, &HeldWord::parameter);
         const bool is_level = parameter.name == "to" || parameter.name == "retract";
-        if (is_given(run.cycle, i) || parameter.name == "pitch") continue;  // F gives the pitch
+        if (has_argument(run.cycle, i) || parameter.name == "pitch") continue;  // F gives the pitch
         if (!is_level && parameter.has_default) continue;
         if (!missing.empty()) missing += ' ';
         if (word != kHeldWords.end()) missing += word->letter;
@@ -430,7 +431,7 @@ void say_distance(Running& run, Function function, SourceId source, std::uint32_
 }  // namespace
 
 void leave_cycle(Running& run, const Instruction& instruction, std::uint32_t at) {
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     run.cycle.is_running = false;
     run.modal.note(Group::Motion, run.cycle.motion, source);
     run.modal.owed.owe_motion();

@@ -47,6 +47,12 @@ void fault_note(Running& run, const DiagnosticRow& row, std::uint32_t at, const 
     fault_in(run, row, at, run.vm.calls.size()).arg(text);
 }
 
+void note_statement(const Running& run, DiagnosticBuilder& builder, SourceId statement,
+                    std::string text) {
+    if (statement.is_valid() && statement.index < run.code.statements.size())
+        builder.note(run.code.statements[statement.index], std::move(text));
+}
+
 void math_fault(Running& run, sema::MathFault why, std::uint32_t at) {
     fault(run, diag::CalculationFault, at).arg(sema::describe(why));
 }

@@ -16,6 +16,9 @@ DiagnosticBuilder fault_in(Running& run, const DiagnosticRow& row, std::uint32_t
 DiagnosticBuilder fault(Running& run, const DiagnosticRow& row, std::uint32_t at);
 /// A message that is one text.
 void fault_note(Running& run, const DiagnosticRow& row, std::uint32_t at, const std::string& text);
+/// Adds a note at a statement, if one is known.
+void note_statement(const Running& run, DiagnosticBuilder& builder, SourceId statement,
+                    std::string text);
 /// A calculation that has no result.
 void math_fault(Running& run, sema::MathFault why, std::uint32_t at);
 /// A value that is not given: by its name; empty: the value of a word.

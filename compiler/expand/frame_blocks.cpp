@@ -1,14 +1,13 @@
 // frame_blocks.cpp — frames as blocks, and where the tool is in a new one.
 #include "expand/frame_blocks.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
 #include "base/diagnostics/expand.h"
 #include "expand/blocks.h"
-#include "expand/contours.h"
+#include "expand/contour_recording.h"
 #include "expand/faults.h"
 #include "expand/numbers.h"
 #include "expand/orienting.h"
@@ -87,7 +86,7 @@ Done change_frame(Running& run, const Instruction& instruction, const sema::Slot
         return refuse_in_tilted_plane(run, "a frame", at);
     if (run.modal.tcp.is_length()) return refuse_under_tcp(run, "a frame", at);
     const sema::Slot* values = registers + instruction.a;
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     const auto change = static_cast<sema::WithFrame>(instruction.b);
     const std::size_t count = change == sema::WithFrame::Rotate  ? 4
                               : change == sema::WithFrame::Scale ? 7
@@ -148,7 +147,7 @@ void write_position(Running& run, const sema::Plan& plan, const Instruction& ins
     if (!moves || run.recordings.is_open()) return;
     run.modal.owed.owe_position(false);
     if (known == 0) return;
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     Block& block = next_block(run, source);
     block.kind = Block::Kind::Position;
     for (std::size_t i = 0; i < kAxes; ++i) {

@@ -149,9 +149,8 @@ Done check_move(Running& run, const Block& block, std::uint32_t at) {
                             block.find(Function::ReferenceReturn) == nullptr;
     if (!run.modal.feed.is_deleted() || !needs_feed || block.has(nc::Slot::Feed)) return kDone;
     auto builder = fault(run, diag::SourceFeedDeleted, at);
-    const SourceId by = run.modal.by(Group::FeedMode);
-    if (by.is_valid() && by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "the kind of feed was changed here");
+    note_statement(run, builder, run.modal.by(Group::FeedMode),
+                   "the kind of feed was changed here");
     builder.fix("give the block a feed");
     return kFailed;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics/dialect.h"
+#include "expand/block_values.h"
 #include "expand/blocks.h"
 #include "expand/faults.h"
 #include "expand/frame_blocks.h"
@@ -156,7 +157,7 @@ Done emit_rest(Running& run, const sema::Plan& plan, const Instruction& instruct
 
 Done emit_frame(Running& run, const sema::Plan& plan, const Instruction& instruction,
                 const sema::Slot* registers, std::uint32_t at) {
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     if (run.modal.lost.what() != 0 && !require_frame(run, false, at)) return kFailed;
     control::FrameSteps steps = run.modal.frame.steps();
     const auto say = [&] {

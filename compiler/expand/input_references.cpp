@@ -65,7 +65,7 @@ void say_offset(Running& run, const sema::Plan& plan, const Instruction& instruc
                    nc::has_fact(invocation.function, nc::Fact::AtMachinePosition);
         });
     if (!moves || is_elsewhere) return;
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     Block& block = next_block(run, source);
     block.set_argument(*block.add(Function::WorkOffset, 1),
                        parameter_of<Function::WorkOffset>("number"), run.modal.owed.work_offset());

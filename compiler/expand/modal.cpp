@@ -1,8 +1,7 @@
 #include "expand/modal.h"
 
-#include <algorithm>
-
-#include "expand/plane.h"
+#include "expand/modal_frames.h"
+#include "expand/modal_positions.h"
 #include "nc/parameters.h"
 
 namespace kadr::expand {
@@ -15,200 +14,6 @@ using nc::parameter_of_all;
 namespace {
 
 constexpr nc::Rules kLanguage = nc::Rules::of_language();
-
-// ---------------------------------------------------------------- frames
-
-void note_drift(ModalState& state, std::size_t axis, bool is_known, double by) {
-    // Frames move X by its radius.
-    if (!is_known || (axis == 0 && state.is_diameter))
-        state.drifts.lose(static_cast<AxisMask>(1u << axis));
-    state.drifts.add(axis, by);
-}
-
-/// Another frame acts: the tool stays where it is, its position is another one.
-void set_frame(ModalState& state, const control::ProgramFrame& next, SourceId source) {
-    const control::ProgramFrame& frame = state.frame.now();
-    control::KnownPoint point;
-    for (std::size_t i = 0; i < 3; ++i) {
-        point.value[i] = state.position[i];
-        point.is_known[i] = state.position.knows(i);
-    }
-    if (state.is_diameter) point.value[0] /= 2;  // frames have radii
-    control::KnownPoint moved = change_frame(point, frame, next);
-    if (state.is_diameter) moved.value[0] *= 2;
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (next.differs(frame, i)) {
-            note_drift(state, i, point.is_known[i] && moved.is_known[i],
-                       moved.value[i] - state.position[i]);
-        }
-        state.position.restate(i, moved.value[i], moved.is_known[i]);
-    }
-    if (state.lost.has(sema::kFrameBit)) state.position.lose(kLinearXYZ);
-    // Where a program turns and does not tell whether its X is a diameter, the control knows alone
-    // what a frame makes of it.
-    const bool may_be_diameter =
-        state[Group::Diameter] == Function::None && state[Group::Plane] == Function::PlaneZx;
-    if (may_be_diameter && next.differs(frame, 0)) state.position.lose(bit(Axis::X));
-    state.owed.owe_position();
-    // A control that has its rotation innermost writes it again behind every other change.
-    const bool turns = next.angle_deg != 0 || frame.angle_deg != 0;
-    if (turns && next != frame)
-        state.drifts.turn((next.angle_deg != 0 ? next : frame).plane_mask());
-    state.frame.set(next, source);
-}
-
-/// The frame becomes what its steps make.
-void take_steps(ModalState& state, SourceId source) {
-    const control::ProgramFrame next = state.frame.made();
-    if (state.frame.has_fault()) state.position.lose(kLinearXYZ);
-    set_frame(state, next, source);
-}
-
-/// One more step, in the frames that blocks have programmed and in those of their text alike.
-template <typename Change>
-void change_steps(ModalState& state, SourceId source, Change change) {
-    state.frame.change(change);
-    take_steps(state, source);
-}
-
-/// A factor that is none is the control's alarm, or a mirror.
-void scale(ModalState& state, const nc::FrameChange& change, SourceId source) {
-    if (std::ranges::any_of(change.factors, [](double factor) { return !(factor > 0); })) {
-        state.position.lose(kLinearXYZ);
-        return;
-    }
-    change_steps(state, source, [&](auto& all) { all.scale(change.factors, change.values); });
-}
-
-void rotate(ModalState& state, const nc::FrameChange& change, SourceId source,
-            const nc::Rules& target) {
-    state.frame.rotate(change.angle_deg, state[Group::Plane], change.values,
-                       target.rotate_outside_scale);
-    take_steps(state, source);
-}
-
-// ---------------------------------------------------------------- positions
-
-void name_position(ModalState& state, const nc::FrameChange& change) {
-    for (std::size_t i = 0; i < 3; ++i)
-        if (change.given[i]) state.position.set(i, change.values[i]);
-}
-
-/// The tool stays where it is; its X is another number then.
-void set_diameter(ModalState& state, bool is_on, bool was_known) {
-    constexpr std::size_t kX = index(Axis::X);
-    if (!was_known) state.position.lose(bit(Axis::X));
-    else if (is_on != state.is_diameter)
-        state.position.restate(kX, state.position[kX] * (is_on ? 2 : 0.5),
-                               state.position.knows(kX));
-    state.is_diameter = is_on;
-    state.owed.owe_diameter(Function::None);
-    state.drifts.lose_some(bit(Axis::X));
-}
-
-bool is_turned_system(const ModalState& state) {
-    return state.frame.now().angle_deg != 0 || state.tilt.acts();
-}
-
-/// The zero point moves along one axis (1 is X), in a frame that turns along some.
-void lose_corrected(ModalState& state, double axis) {
-    const bool is_one =
-        state.frame.now().is_shift() && !state.tilt.acts() && axis >= 1 && axis <= 3;
-    state.position.lose(is_one ? static_cast<AxisMask>(1u << (static_cast<unsigned>(axis) - 1u))
-                               : kLinearXYZ);
-}
-
-void lose_axes(ModalState& state, AxisMask axes) {
-    state.position.lose(axes);
-    state.drifts.lose(axes);
-}
-
-/// Another system, and the control alone knows where the tool stands in it.
-void lose_system(ModalState& state) { lose_axes(state, kAllAxes); }
-
-/// Data of the zero point that acts move it along the axes that they name: in a rotated or
-/// tilted system along all of X, Y, Z.
-void write_offset(ModalState& state, const nc::Block& block, const nc::Effect& effect) {
-    const nc::Invocation& invocation = effect.invocation_in(block);
-    const double number =
-        block.argument(invocation, parameter_of<Function::WorkOffsetData>("number"));
-    const bool is_other = state[Group::WorkOffsets] == Function::WorkOffset && number != 0 &&
-                          number != state.work_offset;
-    if (is_other) return;
-    auto axes = static_cast<AxisMask>(
-        invocation.given >> parameter_of<Function::WorkOffsetData>("x") & kAllAxes);
-    if (is_turned_system(state) && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
-    lose_axes(state, axes);
-}
-
-void select_work_offset(ModalState& state, double number) {
-    if (state[Group::WorkOffsets] != Function::WorkOffset || state.work_offset != number)
-        lose_system(state);
-    state.work_offset = number;
-    state.owed.owe_work_offset(0);
-}
-
-/// Where the words of the block have brought its axes, only the control knows.
-void lose_words(ModalState& state, const nc::Block& block, const nc::Effect& effect) {
-    auto axes = static_cast<AxisMask>(block.given & nc::kTargetSlots);
-    // In machine coordinates one axis moves: along a rotated system several coordinates change.
-    const bool is_machine = effect.function == Function::MachineCoordinates;
-    if (is_machine && is_turned_system(state) && (axes & kLinearXYZ) != 0) axes |= kLinearXYZ;
-    state.position.lose(axes);
-    // The control may count an increment from the number that was programmed there.
-    if (is_machine) state.drifts.lose(axes);
-}
-
-void go_to_point(ModalState& state, const nc::Block& block, const nc::Effect& effect) {
-    state.position.lose_all();
-    if (block.has(nc::Slot::Z)) state.length.go_away();
-    if (effect.function != Function::ReferencePoint) return;
-    constexpr std::size_t kFirstAxis = parameter_of<Function::ReferencePoint>("x");
-    const auto named =
-        static_cast<AxisMask>(effect.invocation_in(block).given >> kFirstAxis & kLinearXYZ);
-    if ((named & bit(Axis::Z)) != 0) state.length.go_away();
-    state.drifts.forget(named);
-}
-
-/// Rotary axes that a block names, all of them at 0, stand there; which others the machine has
-/// nobody knows here.
-void note_rotary(ModalState& state, const nc::Block& block) {
-    const bool is_incremental = state[Group::Distance] == Function::Incremental;
-    bool is_turned = false;
-    for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
-        const nc::Slot slot = nc::slot_of(axis);
-        if (!block.has(slot)) continue;
-        const bool is_distance = (block.incremental & nc::bit(slot)) != 0 ||
-                                 (is_incremental && (block.absolute & nc::bit(slot)) == 0);
-        is_turned = is_turned || is_distance || block.at(slot) != 0;
-    }
-    state.position.turn(is_turned);
-}
-
-/// Where the words of a block lead.
-void take_targets(ModalState& state, const nc::Block& block) {
-    nc::SlotMask targets = block.given & nc::kTargetSlots;
-    if ((targets & (bit(Axis::A) | bit(Axis::B) | bit(Axis::C))) != 0) note_rotary(state, block);
-    if (block.has(nc::Slot::Z)) state.length.come_back();
-    // The operator may leave the block out: then they have gone nowhere.
-    state.drifts.take_named(static_cast<AxisMask>(targets), block.skip_level >= 0);
-    const PlaneIndices axes = indices_of(plane_of(state[Group::Plane]));
-    if (((targets >> axes.first | targets >> axes.second) & 1u) != 0) {
-        const bool is_doubtful = block.skip_level >= 0 && state.is_compensation_due();
-        state.compensation.move_under(is_doubtful ? Function::None : state[Group::RadiusComp]);
-    }
-    const bool modal_incremental = state[Group::Distance] == Function::Incremental;
-    for (std::size_t i = 0; targets != 0; ++i, targets >>= 1) {
-        if ((targets & 1u) == 0) continue;
-        const nc::SlotMask bit = nc::SlotMask{1} << i;
-        const bool is_incremental =
-            (block.incremental & bit) != 0 || (modal_incremental && (block.absolute & bit) == 0);
-        if (is_incremental) state.position.move(i, block.values[i]);
-        else state.position.set(i, block.values[i]);
-    }
-}
-
-// ---------------------------------------------------------------- spindle, tool, length
 
 void lose_spindle(ModalState& state, SourceId source) {
     state.groups.assume(Group::Spindle, Function::None);
@@ -271,8 +76,6 @@ void change_tool(ModalState& state, const nc::Block& block, const nc::Rules& tar
     if (nc::stops_at_tool_change(target, state.changer()))
         state.switch_spindle(Function::SpindleStop, block.source);
 }
-
-// ---------------------------------------------------------------- the fold
 
 /// A modal group has another member.
 void set_member(ModalState& state, const nc::Block& block, const nc::Effect& effect) {
@@ -344,8 +147,8 @@ void take(ModalState& state, const nc::Block& block, const nc::Effect& effect,
             change_steps(state, source,
                          [said = change()](auto& all) { all.shift_add(said.values, said.given); });
             break;
-        case Kind::Rotate: rotate(state, change(), source, target); break;
-        case Kind::Scale: scale(state, change(), source); break;
+        case Kind::Rotate: rotate_frame(state, change(), source, target); break;
+        case Kind::Scale: scale_frame(state, change(), source); break;
         case Kind::Mirror:
             change_steps(state, source, [said = change(), &target](auto& all) {
                 all.mirror(said.given, target.mirror_replaces);
@@ -427,7 +230,7 @@ void take_at(ModalState& state, nc::When when, const nc::Block& block, const nc:
 
 }  // namespace
 
-ModalState ModalState::at_start(const sema::FunctionCode& entry) {
+ModalState ModalState::at_start(const sema::FunctionCode& entry, Function diameter) {
     ModalState state;
     const auto set = [&](Group group, Function function) { state.assume(group, function); };
     set(Group::Motion, entry.motion);
@@ -444,14 +247,20 @@ ModalState ModalState::at_start(const sema::FunctionCode& entry) {
     set(Group::CycleMode, Function::CycleOff);
     set(Group::CycleReturn, Function::CycleReturnInitial);
     set(Group::Transformation, Function::TcpOff);
+    state.is_diameter = entry.has_diameters || diameter == Function::DiameterOn;
     if (entry.has_diameters) {
         set(Group::Diameter, Function::DiameterOn);
-        state.is_diameter = true;
         state.owed.owe_diameter(Function::DiameterOn);
     }
     // Path mode and work offset are whatever the control has, and so is whether X is a diameter: a
     // program that needs one of them programs it.
     return state;
+}
+
+void ModalState::take_diameter_of_caller(bool needs_diameter) {
+    assume(Group::Diameter, Function::None);
+    is_diameter = false;
+    owed.owe_diameter(needs_diameter ? Function::DiameterOn : Function::None);
 }
 
 bool ModalState::take_functions(const nc::Block& block, const nc::Rules& target) {

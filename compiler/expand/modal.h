@@ -50,7 +50,12 @@ struct ModalState {
     void note(nc::Group group, nc::Function member, SourceId by) { groups.set(group, member, by); }
 
     /// The state in which every Kadr program begins.
-    static ModalState at_start(const sema::FunctionCode& entry);
+    ///
+    /// diameter     the member of its group that the control has by itself
+    static ModalState at_start(const sema::FunctionCode& entry, nc::Function diameter);
+    /// Whether X is a diameter the program has set that calls; a cycle that needs diameters where
+    /// it has set radii begins with that.
+    void take_diameter_of_caller(bool needs_diameter);
     /// What the functions of a block do before it moves.
     ///
     /// target  the control for which the program is written: some of its customs the text has

@@ -112,9 +112,7 @@ void compensated_cycle(Running& run, const sema::FunctionCode& cycle) {
     DiagnosticBuilder builder =
         fault_in(run, diag::CycleUnderCompensation, at, run.vm.calls.size() - 1);
     builder.arg(cycle.name);
-    const SourceId by = run.modal.by(Group::RadiusComp);
-    if (by.is_valid() && by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "the compensation began here");
+    note_statement(run, builder, run.modal.by(Group::RadiusComp), "the compensation began here");
     builder.fix("end it before: `G40` with a move");
 }
 
@@ -239,13 +237,7 @@ CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* regis
             run.modal.set_spindle(values[i], source);
         }
     }
-    if (run.options.trace) {
-        // As if the block stood at the call.
-        const CallFrame callee = run.vm.calls.back();
-        run.vm.calls.pop();
-        keep_trace(run, at, call.c, source);
-        run.vm.calls.push() = callee;
-    }
+    if (run.options.trace) keep_trace_of_caller(run, at, call.c, source);
     return CycleOutcome::Block;
 }
 

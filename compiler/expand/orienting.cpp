@@ -15,7 +15,6 @@
 #include "expand/blocks.h"
 #include "expand/faults.h"
 #include "expand/frame_blocks.h"
-#include "expand/numbers.h"
 #include "expand/running.h"
 #include "expand/scopes.h"
 #include "expand/unknown.h"
@@ -107,7 +106,7 @@ void put_function(Running& run, Function function, std::span<const ArgumentValue
 
 ToolTaken take_tool(Running& run, const sema::Plan& plan, const Instruction& instruction,
                     std::uint32_t at) {
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     for (const nc::Invocation& invocation : plan.functions) {
         const Function function = invocation.function;
         switch (function) {
@@ -140,9 +139,7 @@ ToolTaken take_tool(Running& run, const sema::Plan& plan, const Instruction& ins
 Done refuse_under_tcp(Running& run, std::string_view what, std::uint32_t at) {
     DiagnosticBuilder builder = fault(run, diag::InsideTcp, at);
     builder.arg(what).arg(run.target.name());
-    const SourceId by = run.modal.by(Group::Transformation);
-    if (by.is_valid() && by.index < run.code.statements.size())
-        builder.note(run.code.statements[by.index], "it began here");
+    note_statement(run, builder, run.modal.by(Group::Transformation), "it began here");
     builder.fix("end it before: `tcp(off)`");
     return kFailed;
 }

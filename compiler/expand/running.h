@@ -2,13 +2,16 @@
 // it.
 //
 // The functions that run it take a Running first and stand by subject: start.h (programs and their
-// parameters), vm.h (the instructions), values.h (texts, arrays, tables), text_format.h; blocks.h;
-// cuts.h and unknown.h (what a block needs of the state that acts); scopes.h (`with`, what a cycle
-// needs and preserves), frame_blocks.h, tilted_planes.h and orienting.h (planes and directions of
-// five axes), native_cycles.h; input.h and cycles.h (blocks in the manner of another control);
-// contours.h, curves.h; faults.h (errors with the call stack); tests.h. For the room expand only.
+// parameters), vm.h (the instructions), values.h (texts, arrays, tables), text_format.h; blocks.h
+// and block_values.h; cuts.h and unknown.h (what a block needs of the state that acts); scopes.h
+// (`with`, what a cycle needs and preserves), frame_blocks.h, tilted_planes.h and orienting.h
+// (planes and directions of five axes), native_cycles.h; input.h, input_frames.h, input_tools.h,
+// input_positions.h, input_references.h and cycles.h (blocks in the manner of another control);
+// contour_values.h, contour_recording.h, contours.h, follow.h, curves.h; faults.h (errors with the
+// call stack); tests.h. For the room expand only.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,6 +46,12 @@ struct VirtualMachine {
     std::vector<double> slopes;  // beside `stack`, while a point of a curve is calculated
     std::vector<std::uint64_t> loop_counts;      // only with a trace
     const std::vector<std::uint32_t> all_given;  // by function: a call with every argument
+
+    /// Where a function begins that gets these arguments: defaults are for those that it does not.
+    std::uint32_t beginning_of(const sema::FunctionCode& function, std::size_t number,
+                               std::uint32_t given) const {
+        return given == all_given[number] ? function.body : function.entry;
+    }
 
     /// Room for so many registers; it may move them.
     void reserve_stack(std::size_t slots) {
@@ -104,5 +113,10 @@ struct Running {
     ExpandOptions options;
     DiagnosticSink& sink;
 };
+
+/// The statement behind an instruction that makes blocks.
+inline SourceId statement_of(const Instruction& instruction) {
+    return {static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+}
 
 }  // namespace kadr::expand

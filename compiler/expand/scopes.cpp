@@ -174,10 +174,8 @@ Done check_needs(Running& run, std::uint32_t at) {
         builder.arg(frame.function->name)
             .arg(word_of_need(needed))
             .arg(word_of_need(active == Function::None ? Function::DiameterOn : active));
-        const SourceId by = run.modal.by(nc::info(needed).group);
-        if (by.is_valid() && by.index < run.code.statements.size()) {
-            builder.note(run.code.statements[by.index], "it was changed here last");
-        }
+        note_statement(run, builder, run.modal.by(nc::info(needed).group),
+                       "it was changed here last");
         return kFailed;
     }
     // The cutter that the call names is the one that the machine has; where only the text is made,
@@ -209,9 +207,7 @@ Done check_preserves(Running& run, std::uint32_t at) {
     const auto report = [&](std::string_view what, SourceId by) {
         DiagnosticBuilder builder = fault(run, diag::PromiseBroken, at);
         builder.arg(run.vm.calls.back().function->name).arg(what);
-        if (by.is_valid() && by.index < run.code.statements.size()) {
-            builder.note(run.code.statements[by.index], "it was changed here last");
-        }
+        note_statement(run, builder, by, "it was changed here last");
     };
     for (std::size_t i = 0; i < nc::kGroups; ++i) {
         if ((broken >> i & 1u) == 0) continue;

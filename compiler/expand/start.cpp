@@ -8,7 +8,7 @@
 #include "base/diagnostics/expand.h"
 #include "base/numbers.h"
 #include "base/text.h"
-#include "expand/contours.h"
+#include "expand/contour_values.h"
 #include "expand/running.h"
 
 namespace kadr::expand {
@@ -101,25 +101,25 @@ const FunctionCode* find_program(Running& run, std::string_view name) {
 void prepare(Running& run, const FunctionCode& function) {
     run.vm.reserve_stack(std::max(kFirstStack, std::size_t{run.code.globals} + function.registers +
                                                    run.code.functions[0].registers + 16));
-    run.modal = ModalState::at_start(function);
-    if (run.target.power_on(nc::Group::Diameter) == nc::Function::DiameterOn)
-        run.modal.is_diameter = true;
+    run.modal = ModalState::at_start(function, run.target.power_on(nc::Group::Diameter));
 }
 
-void enter(Running& run, const FunctionCode& function, std::uint32_t given) {
+void enter(Running& run, const FunctionCode& function, std::uint32_t given,
+           std::uint32_t return_to) {
     const std::size_t number = static_cast<std::size_t>(&function - run.code.functions.data());
     CallFrame& program = run.vm.calls.push();
     program = {};
     program.function = &function;
     program.base = run.code.globals;
     program.given = given;
+    program.return_to = return_to;
     // The globals get their values first; their return goes on at the program's entry.
     const FunctionCode& startup = run.code.functions[0];
     CallFrame& first = run.vm.calls.push();
     first = {};
     first.function = &startup;
     first.base = run.code.globals + function.registers;
-    first.return_to = given == run.vm.all_given[number] ? function.body : function.entry;
+    first.return_to = run.vm.beginning_of(function, number, given);
     run.vm.pc = startup.entry;
     run.status.begin();
 }
@@ -281,9 +281,7 @@ Done start_cycle(Running& run, std::string_view name, std::span<const double> ar
     // where it has set radii begins with that.
     const bool turns = run.modal.owed.diameter() != nc::Function::None;
     const bool needs_diameter = turns && !at.x_is_diameter;
-    run.modal.assume(nc::Group::Diameter, nc::Function::None);
-    run.modal.is_diameter = false;
-    run.modal.owed.owe_diameter(needs_diameter ? nc::Function::DiameterOn : nc::Function::None);
+    run.modal.take_diameter_of_caller(needs_diameter);
     AxisValues position = at.position;
     if (needs_diameter) position[index(Axis::X)] *= 2;
     run.modal.position.set_all(position);

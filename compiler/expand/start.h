@@ -10,7 +10,9 @@ void prepare(Running& run, const sema::FunctionCode& function);
 /// Begins with the globals; behind them the function runs.
 ///
 /// given        bit i: parameter i has its value in the registers
-void enter(Running& run, const sema::FunctionCode& function, std::uint32_t given);
+/// return_to    instruction behind it; 0: the program ends there
+void enter(Running& run, const sema::FunctionCode& function, std::uint32_t given,
+           std::uint32_t return_to = 0);
 /// Puts a value of the command line into a register, checked, with its unit.
 Done set_parameter(Running& run, const sema::FunctionCode& function,
                    const sema::ParameterInfo& parameter, const std::string& text, Slot& slot);

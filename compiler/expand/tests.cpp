@@ -268,7 +268,6 @@ void set_up(Running& run, const CallUnderTest& call) {
 void start_call(Running& run, const CallUnderTest& call) {
     const TestCall& entry = *call.call;
     const FunctionCode& function = run.code.functions[entry.function];
-    const FunctionCode& startup = run.code.functions[0];
     prepare(run, function);
     if (function.kind != FunctionKind::Program) set_up(run, call);
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
@@ -284,22 +283,9 @@ void start_call(Running& run, const CallUnderTest& call) {
     // Below the call stands what called it; the call returns to the Finish behind its instruction.
     CallFrame& bottom = run.vm.calls.push();
     bottom = {};
-    bottom.function = &startup;
+    bottom.function = &run.code.functions[0];
     bottom.base = run.code.globals;
-    CallFrame& called = run.vm.calls.push();
-    called = {};
-    called.function = &function;
-    called.base = run.code.globals;
-    called.given = entry.given;
-    called.return_to = call.at + 1;
-    CallFrame& first = run.vm.calls.push();
-    first = {};
-    first.function = &startup;
-    first.base = run.code.globals + function.registers;
-    first.return_to =
-        entry.given == run.vm.all_given[entry.function] ? function.body : function.entry;
-    run.vm.pc = startup.entry;
-    run.status.begin();
+    enter(run, function, entry.given, call.at + 1);
 }
 
 }  // namespace kadr::expand

@@ -12,8 +12,9 @@
 
 #include "base/diagnostics/expand.h"
 #include "base/units.h"
+#include "expand/block_values.h"
 #include "expand/blocks.h"
-#include "expand/contours.h"
+#include "expand/contour_recording.h"
 #include "expand/faults.h"
 #include "expand/frame_blocks.h"
 #include "expand/input_frames.h"
@@ -110,7 +111,7 @@ Done emit_tilted_plane(Running& run, const sema::Plan& plan, const Instruction& 
         fault(run, diag::TiltInFrame, at).arg(nc::info(function).name);
         return kFailed;
     }
-    const SourceId source{static_cast<std::uint32_t>(instruction.immediate.pair.second)};
+    const SourceId source = statement_of(instruction);
     if (function == Function::TiltedPlaneOff) {
         if (run.modal.tilt.kind() == PlaneTilt::None) return kDone;
         if (run.modal.tilt.kind() != PlaneTilt::Resolved)

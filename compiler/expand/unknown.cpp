@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "base/diagnostics/expand.h"
 #include "expand/blocks.h"
@@ -92,8 +91,7 @@ bool has_group(const Block& block, Group group) {
 
 void report_lost_position(const Running& run, DiagnosticBuilder& builder, std::size_t axis) {
     const LostBy& lost = run.modal.position.lost_by(axis);
-    if (lost.statement.is_valid() && lost.statement.index < run.code.statements.size())
-        builder.note(run.code.statements[lost.statement.index], words_of(lost.how));
+    note_statement(run, builder, lost.statement, words_of(lost.how));
 }
 
 Done refuse_lost_state(Running& run, std::string_view what, std::string_view fix,
@@ -105,10 +103,7 @@ Done refuse_lost_state(Running& run, std::string_view what, std::string_view fix
 void report_loss(Running& run, DiagnosticBuilder builder, std::string_view what,
                  std::string_view fix) {
     builder.arg(what);
-    if (run.modal.lost.by().is_valid() && run.modal.lost.by().index < run.code.statements.size()) {
-        builder.note(run.code.statements[run.modal.lost.by().index],
-                     words_of(run.modal.lost.how()));
-    }
+    note_statement(run, builder, run.modal.lost.by(), words_of(run.modal.lost.how()));
     builder.fix(std::string(fix));
     const std::string words = words_of_lost(run.modal.lost.what());
     if (run.modal.lost.how() == Loss::RawText && !words.empty())
@@ -121,7 +116,8 @@ Done require_state(Running& run, const Block& block, std::uint32_t at) {
     const auto lacks = [&](Group group) { return run.modal.lost.has(group); };
     const bool is_reference = block.find(Function::ReferenceReturn) != nullptr;
     const Function motion = run.modal[Group::Motion];
-    // A control without words for it writes a single distance by the dimensions of its block, too.
+    // A control without words for it writes a single distance by the dimensions of its block,
+    // too.
     const nc::DialectTables& tables = run.target.tables();
     const bool says_each = tables.notation.has_modes || tables.has_incremental_letters;
     const nc::SlotMask by_itself = says_each ? block.absolute | block.incremental : 0;
@@ -180,10 +176,7 @@ Done require_sure_compensation(Running& run, const Block& block, std::uint32_t a
 }
 
 void compensation_chosen(Running& run, DiagnosticBuilder builder) {
-    if (run.modal.compensation.by().is_valid() &&
-        run.modal.compensation.by().index < run.code.statements.size())
-        builder.note(run.code.statements[run.modal.compensation.by().index],
-                     "this block may be left out");
+    note_statement(run, builder, run.modal.compensation.by(), "this block may be left out");
     builder.fix("leave out all of the contour: the same `/` in each of its blocks");
 }
 
@@ -266,8 +259,7 @@ Done settle_unknown(Running& run, Block& block, std::uint32_t at) {
 }
 
 void warn_of_choice(Running& run, DiagnosticBuilder builder) {
-    if (run.modal.lost.by().is_valid() && run.modal.lost.by().index < run.code.statements.size())
-        builder.note(run.code.statements[run.modal.lost.by().index], "this block may be left out");
+    note_statement(run, builder, run.modal.lost.by(), "this block may be left out");
 }
 
 // ---------------------------------------------------------------- promises, the end, arcs
@@ -287,8 +279,7 @@ Done keep_promise(Running& run, const OpenWith& promise, std::uint32_t at) {
 void warn_after_end(Running& run, std::uint32_t at) {
     if (!run.modal.reported.first_time(ProgramNotice::AfterEnd)) return;
     DiagnosticBuilder builder = fault(run, diag::BlockAfterEnd, at);
-    if (run.modal.ended_by.is_valid() && run.modal.ended_by.index < run.code.statements.size())
-        builder.note(run.code.statements[run.modal.ended_by.index], "the program ends here");
+    note_statement(run, builder, run.modal.ended_by, "the program ends here");
 }
 
 Done require_radius(Running& run, const Block& block, std::uint32_t at) {

@@ -13,14 +13,16 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/assert.h"
 #include "base/diagnostics/expand.h"
 #include "base/text.h"
+#include "expand/block_values.h"
 #include "expand/blocks.h"
+#include "expand/contour_recording.h"
 #include "expand/contours.h"
 #include "expand/curves.h"
 #include "expand/cycles.h"
 #include "expand/faults.h"
+#include "expand/follow.h"
 #include "expand/frame_blocks.h"
 #include "expand/native_cycles.h"
 #include "expand/running.h"
@@ -107,6 +109,9 @@ bool collect_in_time(Running& run, const Slot* registers) {
     if constexpr (kSlopes)    \
     std::fill_n(run.vm.slopes.data() + (r - run.vm.stack.data()) + ip->a, (count), 0.0)
 
+namespace {
+
+/// Runs instructions until the batch is full, the program ends, or the point of a curve is there.
 template <bool kTrace, bool kSlopes>
 void execute(Running& run) {
     static const void* const kLabels[] = {
@@ -180,7 +185,12 @@ stop:
 
 #pragma GCC diagnostic pop
 
-template void execute<false, true>(Running& run);  // for curves.cpp
+}  // namespace
+
+void execute_with_slopes(Running& run, std::uint32_t from) {
+    run.vm.pc = from;
+    execute<false, true>(run);
+}
 
 std::size_t pull(Running& run, std::span<nc::Block> out) {
     run.batch.begin(out);

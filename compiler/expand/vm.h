@@ -9,12 +9,10 @@ namespace kadr::expand {
 ///
 /// returns      how many blocks of `out` are filled; 0: the program has ended
 std::size_t pull(Running& run, std::span<nc::Block> out);
-/// Runs instructions until the batch is full, the program ends, or the point of a curve is there.
-/// With kSlopes every real number carries its derivative by a curve's parameter (forward
-/// differentiation): it stands in `slopes` under the number of its register. What comes out of
-/// an array counts as constant.
-template <bool kTrace, bool kSlopes>
-void execute(Running& run);
+/// Runs the function of a curve from an instruction on, until it returns. Every real number carries
+/// its derivative by the curve's parameter (forward differentiation): it stands in `slopes` under
+/// the number of its register. What comes out of an array counts as constant.
+void execute_with_slopes(Running& run, std::uint32_t from);
 /// Reports why the evaluation ends before the program does.
 void report_end(Running& run, std::uint32_t at);
 
