@@ -9,6 +9,7 @@
 #include "sema/diameters.h"
 #include "sema/functions.h"
 #include "sema/globals.h"
+#include "sema/naming.h"
 #include "sema/type_declarations.h"
 
 namespace kadr::sema {
@@ -59,6 +60,7 @@ void finish(Check& check) {
         }
     }
     mark_diameters(check);
+    finish_names(check);
     export_enums(check);
 }
 

@@ -73,6 +73,7 @@ struct CheckOptions {
     FileAccess* files = nullptr;
     /// Whether the command has no time left; then there is no code, and whoever asked reports why.
     std::function<bool()> is_over = {};
+    bool keeps_names = false;  // Code::names is filled
 };
 
 struct CheckResult {

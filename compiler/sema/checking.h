@@ -116,7 +116,7 @@ struct Pools {
     std::unordered_map<std::string, std::uint32_t> texts;
     std::unordered_map<std::string, std::uint32_t> plans;
     std::unordered_map<std::uint32_t, std::uint32_t> layouts;  // by type
-    std::unordered_map<std::uint32_t, std::uint32_t> showns;   // by type, parts apart
+    std::unordered_map<std::uint32_t, std::uint32_t> showns;   // by type, parts and inches apart
 };
 
 /// What is reported once, or only in the end.

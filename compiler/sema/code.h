@@ -21,6 +21,7 @@
 #include "nc/block.h"
 #include "nc/dialect.h"
 #include "nc/rules.h"
+#include "sema/code_names.h"
 #include "sema/quantity.h"
 #include "sema/slot.h"
 #include "sema/test_code.h"
@@ -299,6 +300,7 @@ struct ShownForm {
     };
     Kind kind = Kind::Plain;
     SlotKind slot = SlotKind::Number;  // of its first register
+    std::string type;                  // as a person writes it
     FormatPiece piece;                 // of a Plain one
     std::vector<Part> parts;           // of a List its element
 };
@@ -430,10 +432,13 @@ struct Code {
     FileId main_file;                // the file that was asked for
     std::string true_word = "true";  // in its keyword language
     std::string false_word = "false";
+    CodeNames names;  // empty unless the check was asked for them
 };
 
 /// The instructions of one function or of all, one a line, for tests and for the curious.
 std::string print(const Code& code);
 std::string print(const Code& code, const FunctionCode& function);
+/// Variables with their registers and where they live, and where statements begin, one a line.
+std::string print_names(const Code& code, const Sources& sources);
 
 }  // namespace kadr::sema

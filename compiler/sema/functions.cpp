@@ -8,6 +8,7 @@
 #include "sema/curves.h"
 #include "sema/declarations.h"
 #include "sema/expressions.h"
+#include "sema/naming.h"
 #include "sema/native_cycles.h"
 #include "sema/preserves.h"
 #include "sema/scope.h"
@@ -206,6 +207,7 @@ void check_function(Check& check, std::uint32_t index) {
     if (decl.kind == DeclKind::Curve) {
         curve_body(check, function, decl);
         for (const Symbol& symbol : check.scopes.all()) report_unused(check, symbol);
+        end_variables(check);
         FunctionCode& curve = check.code->functions[index + 1];
         curve.end = check.emit.here();
         curve.registers = check.emit.registers_used();
@@ -243,6 +245,7 @@ void check_function(Check& check, std::uint32_t index) {
     }
     if (check.body.has_preserves) check_preserves(check, function, decl);
     report_unused_parameters(check);
+    end_variables(check);
 
     FunctionCode& done = check.code->functions[index + 1];
     done.end = check.emit.here();

@@ -7,6 +7,7 @@
 #include "sema/convert.h"
 #include "sema/expressions.h"
 #include "sema/functions.h"
+#include "sema/naming.h"
 #include "sema/type_declarations.h"
 #include "sema/values.h"
 
@@ -41,6 +42,8 @@ void check_global(Check& check, std::uint32_t index, bool on_demand) {
     symbol.type = decl.type.is_valid() ? resolve_type(check, decl.type) : types::kError;
     if (decl.is_const && !decl.value.is_valid())
         check.report(diag::ConstWithoutValue, decl.name_range).arg(symbol.name);
+    const std::uint32_t began = check.emit.here();
+    if (!on_demand) note_statement(check, decl.range);
     const Reg mark = check.emit.mark();
     Value value = error_value();
     const bool is_body = decl.kind == DeclKind::Contour;
@@ -91,6 +94,7 @@ void check_global(Check& check, std::uint32_t index, bool on_demand) {
         }
         if (slots > 0) check.emit.emit_pair(OpCode::StoreGlobal, reg, 0, slots, symbol.global);
     }
+    if (!on_demand) drop_empty_statement(check, began);
     report_overflow(check, symbol.name, symbol.range);
     check.emit.release_to(mark);
     check.emit.set_location(location);

@@ -11,6 +11,7 @@
 #include "sema/expressions.h"
 #include "sema/globals.h"
 #include "sema/lvalues.h"
+#include "sema/naming.h"
 #include "sema/optionals.h"
 #include "sema/scope.h"
 #include "sema/statements.h"
@@ -31,6 +32,7 @@ using syntax::StmtKind;
 namespace {
 
 void jump_if_quietly(Check& check, syntax::ExprId condition, Label& top, int depth);
+void note_pass(Check& check, const Stmt& stmt);
 void check_named_global(Check& check, syntax::ExprId id);
 bool is_plain_constant(const Check& check, syntax::ExprId id);
 
@@ -91,6 +93,7 @@ Completion while_statement(Check& check, const Stmt& stmt) {
     statement(check, stmt.statement[0]);
     check.scopes.join_flow(before);
     check.emit.bind(again);
+    note_statement(check, head_range(check, stmt));
     jump_if(check, stmt.expression[0], true, top, depth);
     check.here.loops.pop_back();
     check.emit.bind(done);
@@ -110,6 +113,7 @@ Completion do_statement(Check& check, const Stmt& stmt) {
     check.here.loops.push_back({&done, &again, check.here.with_depth});
     statement(check, stmt.statement[0]);
     check.emit.bind(again);
+    note_statement(check, check.ast()[stmt.expression[0]].range);
     jump_if(check, stmt.expression[0], true, top, depth);
     check.here.loops.pop_back();
     check.emit.bind(done);
@@ -212,6 +216,7 @@ Completion for_statement(Check& check, const Stmt& stmt) {
     check.body.for_limit = this_limit;
     check.scopes.join_flow(before);
     check.emit.bind(next);
+    note_pass(check, stmt);
     if (!counting_loop(check, stmt, top, depth)) {
         if (stmt.expression[1].is_valid()) {
             const Expr& step_expr = check.ast()[stmt.expression[1]];
@@ -240,6 +245,12 @@ Completion for_statement(Check& check, const Stmt& stmt) {
 }
 
 namespace {
+
+/// Behind a pass of a `for`: its step and its condition.
+void note_pass(Check& check, const Stmt& stmt) {
+    const ExprId at = stmt.expression[1].is_valid() ? stmt.expression[1] : stmt.expression[0];
+    note_statement(check, at.is_valid() ? check.ast()[at].range : head_range(check, stmt));
+}
 
 /// The condition a second time: what it had to report was reported the first time.
 void jump_if_quietly(Check& check, ExprId condition, Label& top, int depth) {
@@ -325,6 +336,7 @@ void for_range(Check& check, const Stmt& stmt) {
     check.scopes.join_flow(before);
     check.here.loops.pop_back();
     check.emit.bind(next);
+    note_statement(check, decl.range);
     check.emit.jump(OpCode::ForLeI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);
     check.emit.bind(done);
     --check.here.loop_depth;
@@ -451,6 +463,7 @@ Completion for_each(Check& check, const Stmt& stmt) {
     check.scopes.join_flow(before);
     check.here.loops.pop_back();
     check.emit.bind(next);
+    note_statement(check, decl.range);
     // The list may have grown or shrunk meanwhile.
     check.emit.emit(OpCode::CountArray, static_cast<Reg>(hidden + 1), handle);
     check.emit.jump(OpCode::ForLtI, top, hidden, static_cast<Reg>(hidden + 1), 1, depth);

@@ -42,6 +42,8 @@ struct Value {
 };
 
 struct Symbol {
+    static constexpr std::uint32_t kNotNamed = 0xffffffffu;
+
     enum class Storage : std::uint8_t { Local, Global, Reference, Constant };
     std::string_view name;
     Type type;
@@ -62,6 +64,7 @@ struct Symbol {
     SourceRange range;
     syntax::DeclId decl;  // not valid: a coordinate of a curve
     SymbolId checked;
+    std::uint32_t named = kNotNamed;  // entry of CodeNames::variables
 };
 
 struct ParameterDecl {

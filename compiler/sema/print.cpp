@@ -44,6 +44,22 @@ void print_instruction(const Instruction& instruction, std::string& out) {
 
 }  // namespace
 
+namespace {
+
+std::string describe(const NamedVariable& variable) {
+    const std::string words = variable.type + ' ' + variable.name;
+    using S = NamedVariable::Storage;
+    switch (variable.storage) {
+        case S::Register: return words + " in r" + std::to_string(variable.first);
+        case S::Reference: return words + " by r" + std::to_string(variable.first);
+        case S::Global: return words + " in global " + std::to_string(variable.first);
+        case S::Constant: break;
+    }
+    return words + " constant";
+}
+
+}  // namespace
+
 std::string print(const Code& code, const FunctionCode& function) {
     std::string out = function.name + ": " + std::to_string(function.registers) + " registers\n";
     for (std::uint32_t at = function.entry; at < function.end; ++at) {
@@ -58,6 +74,30 @@ std::string print(const Code& code) {
     std::string out;
     for (const FunctionCode& function : code.functions) {
         if (function.end > function.entry) out += print(code, function);
+    }
+    return out;
+}
+
+std::string print_names(const Code& code, const Sources& sources) {
+    std::string out;
+    for (const NamedVariable& global : code.names.globals) out += describe(global) + '\n';
+    for (const FunctionCode& function : code.functions) {
+        const auto is_inside = [&](std::uint32_t at) {
+            return at >= function.entry && at < function.end;
+        };
+        if (function.end == function.entry) continue;
+        out += function.name + ":\n";
+        for (const NamedVariable& variable : code.names.variables) {
+            if (!is_inside(variable.from)) continue;
+            out += "  " + std::to_string(variable.from) + " to " + std::to_string(variable.to) +
+                   ": " + describe(variable) + '\n';
+        }
+        for (const StatementStart& statement : code.names.statements) {
+            if (!is_inside(statement.at)) continue;
+            out += "  " + std::to_string(statement.at) + " | ";
+            out += sources.text(statement.range);
+            out += '\n';
+        }
     }
     return out;
 }

@@ -5,6 +5,7 @@
 #include "base/diagnostics/sema.h"
 #include "sema/builtins.h"
 #include "sema/checking.h"
+#include "sema/naming.h"
 
 namespace kadr::sema {
 
@@ -82,6 +83,7 @@ void add_symbol(Check& check, Symbol symbol) {
     symbol.is_optional = check.type_info(symbol.type).is_optional;
     if (!symbol.checked.is_valid() && !symbol.name.empty())
         symbol.checked = record_local(check, symbol);
+    note_variable(check, symbol);
     check.scopes.add(symbol, symbol.is_parameter || symbol.may_be_unset || symbol.is_optional);
 }
 
@@ -106,7 +108,10 @@ SymbolId record_local(Check& check, const Symbol& symbol) {
 }  // namespace
 
 void leave_scope(Check& check, const Scopes::Outer& outer) {
-    for (const Symbol& symbol : check.scopes.since(outer)) report_unused(check, symbol);
+    for (const Symbol& symbol : check.scopes.since(outer)) {
+        report_unused(check, symbol);
+        end_variable(check, symbol);
+    }
     check.scopes.leave(outer);
 }
 

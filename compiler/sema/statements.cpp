@@ -14,6 +14,7 @@
 #include "sema/expressions.h"
 #include "sema/loops.h"
 #include "sema/lvalues.h"
+#include "sema/naming.h"
 #include "sema/native_cycles.h"
 #include "sema/optionals.h"
 #include "sema/scope.h"
@@ -85,6 +86,8 @@ Completion statement(Check& check, StmtId id) {
     Completion completion = Completion::Normal;
     bool keeps_registers = false;
     warn_of_empty_body(check, stmt);
+    const std::uint32_t began = check.emit.here();
+    note_statement(check, stmt);
     switch (stmt.kind) {
         case StmtKind::Invalid:
         case StmtKind::Empty: break;
@@ -136,6 +139,7 @@ Completion statement(Check& check, StmtId id) {
         case StmtKind::Assume: assume_statement(check, stmt); break;
         case StmtKind::Expect: expect_statement(check, stmt); break;
     }
+    drop_empty_statement(check, began);
     if (!keeps_registers) check.emit.release_to(mark);
     check.here.block = outer;
     check.emit.set_location(before);

@@ -227,10 +227,9 @@ Value text_of(Check& check, const Value& value, const SourceRange& range) {
 
 // ---------------------------------------------------------------- values at the prompt
 
-namespace {
-
 std::uint32_t shown_form(Check& check, Type type, bool is_part) {
-    const std::uint32_t key = type.index * 2u + (is_part ? 1u : 0u);
+    const bool is_inch = check.here.units == Units::Inch;
+    const std::uint32_t key = type.index * 4u + (is_part ? 2u : 0u) + (is_inch ? 1u : 0u);
     const auto known = check.pools.showns.find(key);
     if (known != check.pools.showns.end()) return known->second;
     // A struct that holds an array of itself has one form: it is known before its parts are.
@@ -238,7 +237,9 @@ std::uint32_t shown_form(Check& check, Type type, bool is_part) {
     check.pools.showns[key] = index;
     check.code->shown_forms.emplace_back();
     ShownForm form;
-    form.slot = check.types.layout(type)[0];
+    if (const std::vector<SlotKind> slots = check.types.layout(type); !slots.empty())
+        form.slot = slots[0];
+    form.type = check.type_name(type);
     const TypeInfo info = check.type_info(type);
     if (info.kind == TypeKind::Struct) {
         form.kind = ShownForm::Kind::Members;
@@ -258,8 +259,6 @@ std::uint32_t shown_form(Check& check, Type type, bool is_part) {
     check.code->shown_forms[index] = std::move(form);
     return index;
 }
-
-}  // namespace
 
 void show(Check& check, ExprId id) {
     const Expr& expr = check.ast()[id];

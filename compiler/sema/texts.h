@@ -20,6 +20,8 @@ void add_unit(Check& check, Type type, std::string_view between, Units units,
 Value string(Check& check, syntax::ExprId id, Reg hint);
 /// A value as a text.
 Value text_of(Check& check, const Value& value, const SourceRange& range);
+/// The index of the form in which a value of the type is shown; `is_part`: inside of another one.
+std::uint32_t shown_form(Check& check, Type type, bool is_part);
 /// Makes the value of an expression known at the prompt, given or not.
 void show(Check& check, syntax::ExprId id);
 

@@ -6,6 +6,7 @@
 #include "sema/calls.h"
 #include "sema/checking.h"
 #include "sema/expressions.h"
+#include "sema/naming.h"
 #include "sema/orienting.h"
 #include "sema/statements.h"
 #include "sema/values.h"
@@ -216,6 +217,7 @@ Completion with_statement(Check& check, const Stmt& stmt) {
         const SourceRange end{stmt.range.file, stmt.range.end > 0 ? stmt.range.end - 1 : 0,
                               stmt.range.end};
         check.emit.set_location(end);
+        note_statement(check, end);
         check.emit.emit_pair(OpCode::LeaveWith, 0, 0, 1, 0, statement_id(check, end));
     }
     --check.here.with_depth;

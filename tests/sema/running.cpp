@@ -150,6 +150,7 @@ Checked check_program(const std::string& source, const RunOptions& options) {
     if (was_read || options.with_broken_text) {
         sema::CheckOptions checking;
         checking.files = &whole_disk();
+        checking.keeps_names = options.keeps_names;
         sema::CheckResult result = sema::check(parts->ast, dialect(options.source), *parts->modules,
                                                *checked.sources, *checked.messages, checking);
         checked.code = std::move(result.code);
