@@ -15,6 +15,7 @@
 #include "base/diagnostic.h"
 #include "base/done.h"
 #include "base/stream.h"
+#include "expand/statement_watch.h"
 #include "expand/test_bench.h"
 #include "nc/block.h"
 #include "path/command.h"
@@ -71,6 +72,8 @@ struct ExpandOptions {
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
     FileAccess* files = nullptr;  // knows which tables and images may be read; null: none
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
+    StatementWatch* watch =
+        nullptr;  // is shown every statement, if the code has names; with `trace`
 };
 
 struct ModalState;
@@ -128,6 +131,14 @@ class Expander final : public Stream<nc::Block> {
     const ModalState* known() const;
     /// Of block `i` of the latest batch, if ExpandOptions::trace.
     const BlockOrigin& trace(std::size_t i) const;
+
+    // For ExpandOptions::watch, while it is shown a statement, and between blocks.
+    /// The calls that have not returned, outermost first.
+    std::vector<RunningCall> running_calls() const;
+    /// The value of a variable of a call (globals: of any), or by `path` of a part of it: an index
+    /// of a member or an element at each level.
+    SeenValue see(const RunningCall& call, const sema::NamedVariable& variable,
+                  std::span<const std::uint32_t> path) const;
 
   private:
     std::unique_ptr<Running> run_;

@@ -79,10 +79,26 @@ bool collect_in_time(Running& run, const Slot* registers) {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 
-#define KADR_NEXT goto* kLabels[static_cast<unsigned>((++ip)->op)]
+// Without kWatch nothing of this is there.
+#define KADR_LOOK                                                            \
+    if constexpr (kWatch) {                                                  \
+        if (starts[AT] != 0) {                                               \
+            run.vm.pc = AT;                                                  \
+            const auto answer = run.options.watch->comes_to(starts[AT] - 1); \
+            if (answer == StatementWatch::Answer::End) run.status.finish();  \
+            if (answer != StatementWatch::Answer::GoOn) goto stop;           \
+        }                                                                    \
+    }
+#define KADR_NEXT                                     \
+    do {                                              \
+        ++ip;                                         \
+        KADR_LOOK                                     \
+        goto* kLabels[static_cast<unsigned>(ip->op)]; \
+    } while (false)
 #define KADR_GO(target)                               \
     do {                                              \
         ip = program + (target);                      \
+        KADR_LOOK                                     \
         goto* kLabels[static_cast<unsigned>(ip->op)]; \
     } while (false)
 #define KADR_JUMP KADR_GO(ip->immediate.pair.first)
@@ -112,7 +128,7 @@ bool collect_in_time(Running& run, const Slot* registers) {
 namespace {
 
 /// Runs instructions until the batch is full, the program ends, or the point of a curve is there.
-template <bool kTrace, bool kSlopes>
+template <bool kTrace, bool kSlopes, bool kWatch>
 void execute(Running& run) {
     static const void* const kLabels[] = {
 #define KADR_OP(name, operands) &&op_##name,
@@ -124,6 +140,8 @@ void execute(Running& run) {
     Slot* r = run.vm.stack.data() + run.vm.calls.back().base;
     std::uint64_t turns = run.budget.turns();
     MathFault why = MathFault::Overflow;
+    [[maybe_unused]] const std::uint32_t* const starts = run.code.names.starts.data();
+    KADR_LOOK
     goto* kLabels[static_cast<unsigned>(ip->op)];
 
     // The chapters.
@@ -189,15 +207,17 @@ stop:
 
 void execute_with_slopes(Running& run, std::uint32_t from) {
     run.vm.pc = from;
-    execute<false, true>(run);
+    execute<false, true, false>(run);
 }
 
 std::size_t pull(Running& run, std::span<nc::Block> out) {
     run.batch.begin(out);
     if (!run.status.is_running() || run.batch.is_full()) return run.batch.count();
     run.budget.look_early();
-    if (run.options.trace) execute<true, false>(run);
-    else execute<false, false>(run);
+    if (run.options.watch != nullptr && !run.code.names.starts.empty())
+        execute<true, false, true>(run);
+    else if (run.options.trace) execute<true, false, false>(run);
+    else execute<false, false, false>(run);
     return run.batch.count();
 }
 
