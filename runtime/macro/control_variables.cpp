@@ -230,38 +230,66 @@ ControlVariable ControlVariables::shown_in(const Store& store, std::size_t slot,
     return shown(std::move(name), value, store.content(value).text);
 }
 
-void ControlVariables::list_family(const nc::VariableForm& form,
-                                   std::vector<ControlVariable>& out) const {
-    for (const VariableRange& range : form.ranges) {
-        const bool is_global = range.kind == VariableRange::Kind::Global;
-        if (!is_global && range.kind != VariableRange::Kind::Local) continue;
-        const Store& store = is_global ? globals_ : level_->locals;
-        for (std::int64_t number = range.first; number <= range.last; ++number) {
-            const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
-            const ControlValue& value = store.values[slot];
-            const bool is_untouched = range.has_initial && value.number == range.value;
-            if (value.is_vacant() || is_untouched) continue;
-            out.push_back(shown(names_.in_family(form, number), value, {}));
-        }
+const Store* ControlVariables::store_of(const VariableRange& range, const Level& level) const {
+    if (range.kind == VariableRange::Kind::Global) return &globals_;
+    return range.kind == VariableRange::Kind::Local ? &level.locals : nullptr;
+}
+
+void ControlVariables::list_range(const nc::VariableForm& form, const VariableRange& range,
+                                  const Store& store, std::vector<ControlVariable>& out) const {
+    for (std::int64_t number = range.first; number <= range.last; ++number) {
+        const auto slot = static_cast<std::size_t>(range.slot + (number - range.first));
+        const ControlValue& value = store.values[slot];
+        const bool is_untouched = range.has_initial && value.number == range.value;
+        if (value.is_vacant() || is_untouched) continue;
+        out.push_back(shown(names_.in_family(form, number), value, {}));
+    }
+}
+
+void ControlVariables::list_declared(const Level& level, const nc::ControlSymbol& symbol,
+                                     std::vector<ControlVariable>& out) const {
+    const Store& store = *level.stores[level.symbols.index_of(symbol)];
+    for (std::uint32_t i = 0; i < symbol.count(); ++i) {
+        ControlVariable variable = shown_in(store, symbol.slot + i, &symbol);
+        // Of an array those are reported that were set.
+        const bool is_reported = symbol.dimensions == 0
+                                     ? variable.kind != ControlVariable::Kind::Vacant
+                                     : !store.values[symbol.slot + i].is_vacant();
+        if (is_reported) out.push_back(std::move(variable));
     }
 }
 
 std::vector<ControlVariable> ControlVariables::list() const {
     std::vector<ControlVariable> out;
     for (std::uint32_t i = 0; i < language_.variables.size(); ++i) {
-        list_family(language_.variables[i], out);
+        for (const VariableRange& range : language_.variables[i].ranges) {
+            if (const Store* store = store_of(range, *level_))
+                list_range(language_.variables[i], range, *store, out);
+        }
         machine_values_.list(i, out);
     }
-    for (const nc::ControlSymbol& symbol : level_->symbols.all()) {
-        const Store& store = *level_->stores[level_->symbols.index_of(symbol)];
-        for (std::uint32_t i = 0; i < symbol.count(); ++i) {
-            ControlVariable variable = shown_in(store, symbol.slot + i, &symbol);
-            // Of an array those are reported that were set.
-            const bool is_reported = symbol.dimensions == 0
-                                         ? variable.kind != ControlVariable::Kind::Vacant
-                                         : !store.values[symbol.slot + i].is_vacant();
-            if (is_reported) out.push_back(std::move(variable));
+    for (const nc::ControlSymbol& symbol : level_->symbols.all())
+        list_declared(*level_, symbol, out);
+    return out;
+}
+
+std::vector<ControlVariable> ControlVariables::list(const Level& level, VariableOwner owner) const {
+    std::vector<ControlVariable> out;
+    for (std::uint32_t i = 0; i < language_.variables.size(); ++i) {
+        if (owner == VariableOwner::Machine) machine_values_.list(i, out);
+        for (const VariableRange& range : language_.variables[i].ranges) {
+            const Store* store = store_of(range, level);
+            const VariableOwner owned =
+                store == &globals_ ? VariableOwner::Control : VariableOwner::Program;
+            if (store != nullptr && owned == owner)
+                list_range(language_.variables[i], range, *store, out);
         }
+    }
+    for (const nc::ControlSymbol& symbol : level.symbols.all()) {
+        const Store* store = level.stores[level.symbols.index_of(symbol)];
+        const bool is_everybodys = store == &definitions_.locals || store == &definitions_.elements;
+        const VariableOwner owned = is_everybodys ? VariableOwner::Control : VariableOwner::Program;
+        if (owned == owner) list_declared(level, symbol, out);
     }
     return out;
 }

@@ -116,6 +116,8 @@ class ControlVariables final : public Variables {
               ControlValue& out);
 
     std::vector<ControlVariable> list() const;
+    /// Those of one owner, as a program of this level sees them.
+    std::vector<ControlVariable> list(const Level& level, VariableOwner owner) const;
     /// Every variable that is set from now on is noted here; null: nobody wants to know.
     /// Returns who was notified before.
     std::vector<VariableChange>* note_changes(std::vector<VariableChange>* changes) {
@@ -155,7 +157,12 @@ class ControlVariables final : public Variables {
     VariableFault store_input(std::uint32_t form, const nc::VariableRange& range,
                               const std::string& name, const ControlValue& value,
                               std::string_view text);
-    void list_family(const nc::VariableForm& form, std::vector<ControlVariable>& out) const;
+    void list_range(const nc::VariableForm& form, const nc::VariableRange& range,
+                    const Store& store, std::vector<ControlVariable>& out) const;
+    void list_declared(const Level& level, const nc::ControlSymbol& symbol,
+                       std::vector<ControlVariable>& out) const;
+    /// The store of a range of variables that hold something; null: they are no such ones.
+    const Store* store_of(const nc::VariableRange& range, const Level& level) const;
 
     const nc::DialectTables& tables_;
     const nc::Language& language_;

@@ -35,6 +35,9 @@ class LineWatch {
     virtual bool comes_to(const WatchedLine& line) = 0;
     /// The line that is executed leads elsewhere; a modal call where it becomes modal.
     virtual void takes(const WayTaken& way) { static_cast<void>(way); }
+    /// Asked where the text ends: whether the program has ended in front of more, because the one
+    /// who looks on wanted it while that was being made.
+    virtual bool has_ended() const { return false; }
 };
 
 }  // namespace kadr::macro

@@ -77,6 +77,23 @@ std::vector<NcProgram::EventAhead> NcProgram::events_ahead() const {
 std::vector<ControlVariable> NcProgram::variables() const {
     return state_->variables_at_end ? *state_->variables_at_end : state_->variables.list();
 }
+std::vector<ProgramLevel> NcProgram::levels() const {
+    std::vector<ProgramLevel> levels;
+    const auto& frames = state_->frames;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const RunningProgram& running = *frames[i];
+        ProgramLevel level;
+        if (i > 0) level.program = running.unit->name;
+        if (running.unit->text != state_->units.main().text) level.file = running.unit->text->name;
+        const nc::CallSite* site = i + 1 < frames.size() ? frames[i + 1]->site.get() : nullptr;
+        level.line = site != nullptr ? site->location.line : running.here.line;
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+std::vector<ControlVariable> NcProgram::variables(std::size_t level, VariableOwner owner) const {
+    return state_->variables.list(*state_->frames[level]->level, owner);
+}
 const std::vector<ActiveCode>& NcProgram::codes() { return state_->codes.now(); }
 std::uint64_t NcProgram::line() const { return state_->frame->here.line; }
 std::uint64_t NcProgram::statements() const { return state_->counts.executed; }

@@ -80,6 +80,20 @@ struct VariableChange {
     ControlVariable after;  // of the same name
 };
 
+/// A program that has begun and not returned.
+struct ProgramLevel {
+    std::string program;     // that was called; empty: the main program
+    std::string file;        // of its text; empty: the one that was started
+    std::uint64_t line = 0;  // that is next; of a program that has called another one, the call
+};
+
+/// Whose a variable of the control is.
+enum class VariableOwner : std::uint8_t {
+    Program,  // of one level of calls: local variables, parameters
+    Control,  // of all programs
+    Machine,  // inputs and data that the machine gives
+};
+
 struct ActiveCode;  // code_list.h
 
 class NcProgram final : public Stream<nc::Block>, public nc::BlockLocations {
@@ -131,6 +145,10 @@ class NcProgram final : public Stream<nc::Block>, public nc::BlockLocations {
 
     /// In the order of the dialect's tables, then as declared.
     std::vector<ControlVariable> variables() const;
+    /// The programs that have begun and not returned, the main program first.
+    std::vector<ProgramLevel> levels() const;
+    /// The variables of this owner as the program at `level` sees them.
+    std::vector<ControlVariable> variables(std::size_t level, VariableOwner owner) const;
     /// An event of the options that has not happened so far.
     struct EventAhead {
         const InputEvent* event = nullptr;
