@@ -38,8 +38,8 @@ void try_out(Session& session, const KadrProgram& program) {
     if (!is_complete && options.defines.empty()) return;
     const nc::Dialect* target = session.chosen_dialect(kDefaultTarget);
     if (target == nullptr) return;
-    constexpr bool kKeepsCalls = true;
-    auto text = std::make_unique<GeneratedText>(session, program, *target, nullptr, kKeepsCalls);
+    auto text =
+        std::make_unique<GeneratedText>(session, program, *target, TextAside{.keeps_calls = true});
     text->warn_of_cuts(session.messages());
     if (text->start()) make_with_dangers(session, program, *target, std::move(text));
 }

@@ -251,8 +251,8 @@ std::unique_ptr<Execution> Execution::open(Session& session, const Subject& subj
     execution->dialect_ = &subject.dialect;
     execution->program_ = &subject.program;
     execution->text_name_ = generated_name(subject.entry.name, subject.dialect);
-    execution->generated_ =
-        std::make_unique<GeneratedText>(session, subject.program, subject.dialect, subject.sink);
+    execution->generated_ = std::make_unique<GeneratedText>(
+        session, subject.program, subject.dialect, TextAside{}, subject.sink);
     if (subject.text != nullptr) {
         execution->generated_->set_tap(
             [text = subject.text](std::string_view piece) { *text += piece; });
@@ -337,12 +337,14 @@ std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
 Done Execution::open_program(FileId file, GeneratedText::Tap tap) {
     dialect_ = session_.chosen_dialect(kDefaultDialect);
     if (dialect_ == nullptr) return kFailed;
-    own_program_ = load_program(session_, file);
+    own_program_ = load_program(session_, file, aside_.statements != nullptr);
     if (!own_program_) return kFailed;
     program_ = &*own_program_;
     text_name_ = generated_name(session_.sources().name(file), *dialect_);
-    generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, aside_.map,
-                                                 aside_.keeps_calls || aside_.watch != nullptr);
+    const TextAside beside{.map = aside_.map,
+                           .keeps_calls = aside_.keeps_calls || aside_.watch != nullptr,
+                           .watch = aside_.statements};
+    generated_ = std::make_unique<GeneratedText>(session_, *program_, *dialect_, beside);
     generated_->set_tap(std::move(tap));
     return generated_->start();
 }

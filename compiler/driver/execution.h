@@ -53,6 +53,8 @@ struct Aside {
     bool keeps_calls = false;                       // GeneratedText::calls_behind is asked
     std::function<void(const nc::Block&)> look_at;  // is shown every block that is read
     macro::LineWatch* watch = nullptr;  // is shown every line; then blocks are executed one by one
+    /// Is shown every statement of a Kadr program, in step with the blocks.
+    expand::StatementWatch* statements = nullptr;
     /// No line of the control's language is executed before the blocks in front of it: what an
     /// alarm leaves in variables and in printed text came before it.
     bool in_step = false;

@@ -50,8 +50,8 @@ Status expand(Session& session, const ExpandJob& job) {
 
     // For a machine the text is run as well, for the dangers that are in it.
     const bool has_machine = !session.options().machine.empty();
-    auto text =
-        std::make_unique<GeneratedText>(session, *program, *target, map_output.get(), has_machine);
+    auto text = std::make_unique<GeneratedText>(
+        session, *program, *target, TextAside{.map = map_output.get(), .keeps_calls = has_machine});
     text->warn_of_cuts(messages);
     text->set_tap([&](std::string_view piece) { text_output->write(piece); });
     if (!text->start()) return session.status();

@@ -20,6 +20,9 @@ namespace {
 constexpr std::size_t kBlocksAtOnce = 64;
 constexpr std::size_t kPieceBytes = std::size_t{1} << 13;  // text handed on at a time
 
+/// Passes of loops in a text that is only looked at: a second or less.
+constexpr std::uint64_t kTurnsToLookAt = 20'000'000;
+
 write::WriteOptions write_options(const Options& options) {
     return {.verbose_modal = options.verbose_modal,
             .number_blocks = true,
@@ -38,45 +41,42 @@ const sema::FunctionCode* chosen_program(const sema::Code& code, std::string_vie
 }
 
 GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
-                             const nc::Dialect& target, Output* map, bool keeps_calls)
-    : GeneratedText(session, program, target, map, keeps_calls, session.messages()) {}
+                             const nc::Dialect& target, const TextAside& aside)
+    : GeneratedText(session, program, target, aside, session.messages()) {}
 
 GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
-                             const nc::Dialect& target, DiagnosticSink& sink)
-    : GeneratedText(session, program, target, nullptr, false, sink) {}
-
-GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
-                             const nc::Dialect& target, Output* map, bool keeps_calls,
+                             const nc::Dialect& target, const TextAside& aside,
                              DiagnosticSink& sink)
     : session_(session),
       program_(program),
       target_(target),
       expander_messages_(*this, sink),
-      expander_(*program.code, target, expand_options(map != nullptr || keeps_calls),
-                expander_messages_),
+      expander_(*program.code, target, expand_options(aside), expander_messages_),
       writer_messages_(*this, sink),
       writer_(target, write_options(session.options()), writer_messages_),
-      map_(map),
+      aside_(aside),
       line_map_(std::make_unique<LineMap>()),
-      call_map_(keeps_calls ? std::make_unique<CallMap>() : nullptr),
-      batch_(kBlocksAtOnce),
+      call_map_(aside.keeps_calls ? std::make_unique<CallMap>() : nullptr),
+      batch_(aside.watch != nullptr ? 1 : kBlocksAtOnce),
       deadline_(session.options().max_time, nullptr) {}
 
 GeneratedText::~GeneratedText() = default;
 
-expand::ExpandOptions GeneratedText::expand_options(bool has_trace) const {
+expand::ExpandOptions GeneratedText::expand_options(const TextAside& aside) const {
     const Options& options = session_.options();
     expand::RunLimits limits;
     limits.blocks = options.max_blocks > 0 ? options.max_blocks : kMaxBlocks;
     limits.seconds = options.max_time;
+    if (aside.is_only_looked_at) limits.loop_turns = kTurnsToLookAt;
     return {.limits = limits,
             .native_cycles = options.native_cycles,
-            .trace = has_trace,
+            .trace = aside.map != nullptr || aside.keeps_calls,
             .machine = [this] { return session_.machine(); },
             .checks_cutters = !options.has_stand_in_tools,
             .stop = options.stop,
             .files = &session_.access(),
-            .shown = options.shown};
+            .shown = aside.is_only_looked_at ? nullptr : options.shown,
+            .watch = aside.watch};
 }
 
 void GeneratedText::warn_of_cuts(const Messages& messages) {
@@ -141,14 +141,26 @@ Done GeneratedText::start(const Entry& entry) {
     return kDone;
 }
 
+/// Of a text that is made in step: what was written at the start, then the lines of one block.
+std::string_view GeneratedText::next_block() {
+    if (has_given_head_) text_.clear();
+    has_given_head_ = true;
+    while (!is_at_end_ && text_.empty()) write_batch();
+    return text_;
+}
+
 std::string_view GeneratedText::next() {
+    if (aside_.watch != nullptr) {
+        if (tap_) tap_(next_block());
+        else next_block();
+        return text_;
+    }
     // The text of `start` is part of the first piece.
     if (blocks_ > 0 || is_at_end_) text_.clear();
     while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
     if (!is_at_end_ && deadline_.is_over()) {
         is_late_ = is_at_end_ = true;
-        session_.messages()
-            .report(diag::TimeLimit, last_statement())
+        expander_messages_.report(diag::TimeLimit, last_statement())
             .arg(deadline_.seconds())
             .fix("if it is to work longer, raise the limit: `--max-time`");
     }
@@ -201,12 +213,13 @@ void GeneratedText::write_batch() {
                 phrases_.push_back(line);
         }
         if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
-        if (map_ != nullptr) map_block(i, first);
+        if (aside_.map != nullptr) map_block(i, first);
         if (call_map_) call_map_->add(first, writer_.lines(), expander_.trace(i));
     }
     is_at_end_ = count == 0 || failed();
     if (!is_at_end_) return;
     body_lines_ = writer_.lines();
+    if (aside_.watch != nullptr && aside_.watch->has_ended()) return;
     // Nobody executes what has its error already.
     if (sound) text_.resize(*sound);
     writer_.end(text_);
@@ -217,7 +230,7 @@ void GeneratedText::write_batch() {
 std::vector<Diagnostic::Note> GeneratedText::calls_of_block(std::uint64_t number) const {
     std::vector<Diagnostic::Note> notes;
     DiagnosticList said_before;
-    expand::ExpandOptions options = expand_options(true);
+    expand::ExpandOptions options = expand_options({.keeps_calls = true});
     options.shown = nullptr;
     expand::Expander again(*program_.code, target_, options, said_before);
     if (!start_ || !start_(again)) return notes;
@@ -292,7 +305,7 @@ void GeneratedText::WriterMessages::take(Diagnostic diagnostic) {
 void GeneratedText::map_block(std::size_t index, std::uint32_t line) {
     entry_.clear();
     append_map_entry(entry_, {line, writer_.lines() + 1 - line}, expander_.trace(index), session_);
-    map_->write(entry_);
+    aside_.map->write(entry_);
 }
 
 bool GeneratedText::failed() const { return is_late_ || expander_.failed() || writer_.failed(); }

@@ -32,15 +32,26 @@ struct Entry {
     std::function<Done(expand::Expander&)> start;
 };
 
+/// What goes on beside the making of a text.
+struct TextAside {
+    Output* map = nullptr;     // gets a line for every block; null: no source map
+    bool keeps_calls = false;  // for GeneratedText::calls_behind
+    /// Is shown every statement, if the code has names: the text is then made block by block, and
+    /// nothing of it before somebody has asked for the block in front.
+    expand::StatementWatch* watch = nullptr;
+    /// The text is only looked at, beside one that is executed: values are shown to nobody, and an
+    /// evaluation that makes no block for long is given up.
+    bool is_only_looked_at = false;
+};
+
 class GeneratedText final : public nc::TextSource, public nc::PhraseText {
   public:
-    /// All references outlive the text. `map` gets a line for every block; null: no source map.
-    /// `keeps_calls`: for `calls_behind`.
+    /// All references outlive the text.
     GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
-                  Output* map, bool keeps_calls = false);
-    /// The same for one entry, with its messages to a sink of its own.
+                  const TextAside& aside = {});
+    /// The same with its messages to a sink of its own.
     GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
-                  DiagnosticSink& sink);
+                  const TextAside& aside, DiagnosticSink& sink);
     ~GeneratedText() override;
 
     /// Chooses the program and sets its parameters.
@@ -72,13 +83,15 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     /// the library was called that did; the line becomes a note.
     void move_to_statement(Diagnostic& diagnostic) const;
     std::uint64_t blocks() const { return blocks_; }
+    /// Lines that were made so far.
+    std::uint32_t made_lines() const { return writer_.lines(); }
+    /// What evaluates the program, for TextAside::watch.
+    const expand::Expander& expander() const { return expander_; }
     /// Lines so far that a statement of the program made.
     std::uint64_t statement_lines() const { return statement_lines_; }
 
   private:
     Done require_units(const Entry& entry);
-    GeneratedText(Session& session, const KadrProgram& program, const nc::Dialect& target,
-                  Output* map, bool keeps_calls, DiagnosticSink& sink);
     /// Where errors of the writer go: to each the calls that led to the block are added, and what
     /// a statement of the library cannot write is an error where the library was called.
     class WriterMessages final : public DiagnosticSink {
@@ -107,8 +120,9 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
         DiagnosticSink& sink_;
     };
 
-    expand::ExpandOptions expand_options(bool has_trace) const;
+    expand::ExpandOptions expand_options(const TextAside& aside) const;
     void write_batch();
+    std::string_view next_block();
     std::vector<Diagnostic::Note> calls_of_block(std::uint64_t number) const;
     bool is_in_library(const SourceRange& range) const;
     bool move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic::Note>& calls,
@@ -124,7 +138,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     expand::Expander expander_;
     WriterMessages writer_messages_;
     write::Writer writer_;
-    Output* map_;
+    TextAside aside_;
     std::unique_ptr<LineMap> line_map_;
     std::unique_ptr<CallMap> call_map_;  // null: nobody asks
     std::vector<nc::Block> batch_;
@@ -137,6 +151,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     SourceId last_source_;
     std::uint64_t statement_lines_ = 0;
     bool is_at_end_ = false;
+    bool has_given_head_ = false;  // of a text that is made block by block
     Tap tap_;
     std::uint32_t body_lines_ = 0;
 };

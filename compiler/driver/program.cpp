@@ -40,7 +40,7 @@ Done require_time(Session& session, FileId file) {
 /// Where the tree of the main file comes from. `file` is its text.
 using TakeMain = std::function<Modules::Module(Modules& modules, FileId& file)>;
 
-std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main) {
+std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main, bool keeps_names) {
     const std::size_t errors_before = session.messages().errors();
     KadrProgram program;
     program.modules = std::make_unique<Modules>(session);
@@ -52,6 +52,7 @@ std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main) 
     }
     sema::CheckOptions options = session.options().check;
     options.files = &session.access();
+    options.keeps_names = keeps_names;
     options.is_over = [&session] { return session.deadline().is_over(); };
     sema::CheckResult result = sema::check(*ast, *dialect, *program.modules, session.sources(),
                                            session.messages(), options);
@@ -72,17 +73,23 @@ std::optional<KadrProgram> load_program(Session& session, const std::string& pat
                       session.access());
         return std::nullopt;
     }
-    return checked(session, [&](Modules& modules, FileId& file) {
-        return modules.take_main(path, *std::move(text), file);
-    });
+    return checked(
+        session,
+        [&](Modules& modules, FileId& file) {
+            return modules.take_main(path, *std::move(text), file);
+        },
+        false);
 }
 
-std::optional<KadrProgram> load_program(Session& session, FileId main) {
+std::optional<KadrProgram> load_program(Session& session, FileId main, bool keeps_names) {
     session.access().allow_home_of(std::string(session.sources().name(main)));
-    return checked(session, [main](Modules& modules, FileId& file) {
-        file = main;
-        return modules.parse_main(main);
-    });
+    return checked(
+        session,
+        [main](Modules& modules, FileId& file) {
+            file = main;
+            return modules.parse_main(main);
+        },
+        keeps_names);
 }
 
 }  // namespace kadr::driver

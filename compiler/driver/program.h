@@ -24,7 +24,7 @@ std::optional<KadrProgram> load_program(Session& session, const std::string& pat
                                         const SourceRange& location = {});
 
 /// Checks a text that is already among the sources and that the user named: it may read what lies
-/// beside it.
-std::optional<KadrProgram> load_program(Session& session, FileId file);
+/// beside it. `keeps_names`: Code::names, for who looks on.
+std::optional<KadrProgram> load_program(Session& session, FileId file, bool keeps_names = false);
 
 }  // namespace kadr::driver

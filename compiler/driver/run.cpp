@@ -18,7 +18,7 @@
 #include "base/readable.h"
 #include "base/units.h"
 #include "driver/command_tap.h"
-#include "driver/debugger.h"
+#include "driver/debug/conversation.h"
 #include "driver/execution.h"
 #include "driver/operator_events.h"
 #include "driver/output.h"
@@ -162,7 +162,8 @@ class Run {
     std::vector<OpenOutput> outputs_;
     Viewers viewers_;
     LostLines lost_;
-    std::unique_ptr<Debugger> debugger_;  // null: nobody looks on
+    std::unique_ptr<DebugEngine> debugger_;       // null: nobody looks on
+    std::unique_ptr<Conversation> conversation_;  // … or is told of it
     std::unique_ptr<Execution> execution_;
     std::vector<motion::OperatorEvent> events_;      // what the operator does
     std::vector<interp::ProbeTouch> touches_;        // … where its probe touches
@@ -373,7 +374,10 @@ RunFigures Run::figures(const process::PlannedMotion& motion) const {
 }
 
 void Run::finish(const RunFigures& figures) {
-    if (debugger_) debugger_->finish(figures.alarm);
+    if (debugger_) {
+        debugger_->finish(figures.alarm);
+        if (figures.alarm.empty()) conversation_->warn_of_places();
+    }
     for (const OpenOutput& open : outputs_) open.output->finish(figures);
 }
 
@@ -481,14 +485,14 @@ Done Run::follow() {
 Done Run::open_debugger() {
     const bool has_steps = wants(&Wants::steps);
     if (!has_steps && job_.breaks.empty() && job_.until.empty()) return kDone;
-    Debugger::Look look;
+    debugger_ = std::make_unique<DebugEngine>(session_);
+    conversation_ = std::make_unique<Conversation>(session_, job_.onlooker, *debugger_);
     if (has_steps) {
-        look = [this](const TraceStep& step, const TraceState& state) {
+        debugger_->trace_to([this](const TraceStep& step, const TraceState& state) {
             for (RunOutput* output : viewers_.steps) output->see_step(step, state);
-        };
+        });
     }
-    debugger_ = Debugger::open(session_, job_, std::move(look));
-    return Done(debugger_ != nullptr);
+    return conversation_->take_places(job_);
 }
 
 Status Run::perform() {

@@ -15,6 +15,8 @@ class StatementWatch {
     /// blocks of the statements before were asked for if they are pulled one by one. False: the
     /// evaluation ends in front of it, without an error.
     virtual bool comes_to(std::uint32_t statement) = 0;
+    /// Whether it has ended the evaluation.
+    virtual bool has_ended() const = 0;
 };
 
 /// A call that has not returned.

@@ -64,7 +64,7 @@ std::string expanded(const std::string& target, const std::string& program) {
     const auto checked = driver::load_program(session, sources.add("random.kadr", program));
     std::string out;
     if (checked && dialect != nullptr) {
-        driver::GeneratedText text(session, *checked, *dialect, nullptr);
+        driver::GeneratedText text(session, *checked, *dialect);
         (void)text.start();  // what is wrong is in `messages`
         for (std::string_view piece = text.next(); !piece.empty(); piece = text.next())
             out += piece;

@@ -11,7 +11,7 @@
 
 #include "base/disk_files.h"
 #include "base/text.h"
-#include "driver/break_points.h"
+#include "driver/debug/break_points.h"
 #include "driver/run.h"
 #include "driver/session.h"
 #include "tests/common/inputs.h"

@@ -12,10 +12,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include "expand/expander.h"
-#include "macro/line_watch.h"
 
 namespace kadr::driver {
 
@@ -26,7 +22,8 @@ struct FileLine {
     std::uint64_t last = 0;  // of what stands there
 };
 
-/// A line that is about to be executed, with what a person may call it.
+/// A line of ISO-7bit text or a statement that is about to be executed, with what a person may
+/// call it.
 struct StopArrival {
     std::uint64_t number = 0;  // N; used if has_number
     bool has_number = false;
@@ -36,11 +33,7 @@ struct StopArrival {
     FileLine text;             // of the ISO-7bit text
     FileLine statement;        // of the Kadr program
     std::string_view started;  // the file that was started
-    struct Entered {
-        std::string_view function;
-        FileLine call;
-    };
-    std::vector<Entered> entered;  // calls of the Kadr program that begin with this line
+    std::string_view entered;  // function of the Kadr program that begins with it; empty: none
 };
 
 class BreakPoint {
@@ -48,11 +41,18 @@ class BreakPoint {
     /// Nothing: no point can be meant by this.
     static std::optional<BreakPoint> parse(std::string_view text);
 
+    /// A line of a file; empty `file`: of the one that was started.
+    static BreakPoint at_line(std::string_view file, std::uint64_t line);
+
+    enum class Kind : std::uint8_t { Number, Line, Name };
+
     const std::string& text() const { return text_; }
+    Kind kind() const { return kind_; }
     bool is_at(const StopArrival& arrival) const;
+    /// Of a Kind::Line: whether it stands in this file at all.
+    bool is_in(std::string_view file, std::string_view started) const;
 
   private:
-    enum class Kind : std::uint8_t { Number, Line, Name };
     bool is_line(const FileLine& line, std::string_view started) const;
     bool is_program(const StopArrival& arrival) const;
 
@@ -61,16 +61,6 @@ class BreakPoint {
     std::uint64_t number_ = 0;  // of the block or the line
     std::string name_;          // of the file or what it is called; in upper case
     bool has_letter_ = false;   // `N120`: a block number and nothing else
-};
-
-/// Tells which calls of a Kadr program begin with a block.
-class CallWatch {
-  public:
-    /// How many of the block's calls, from the outermost on, are those of the block before.
-    std::size_t known_calls(const expand::BlockOrigin& now);
-
-  private:
-    expand::BlockOrigin before_;
 };
 
 }  // namespace kadr::driver

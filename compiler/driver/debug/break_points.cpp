@@ -1,4 +1,4 @@
-#include "driver/break_points.h"
+#include "driver/debug/break_points.h"
 
 #include <algorithm>
 #include <charconv>
@@ -64,9 +64,22 @@ std::optional<BreakPoint> BreakPoint::parse(std::string_view text) {
     return point;
 }
 
+BreakPoint BreakPoint::at_line(std::string_view file, std::uint64_t line) {
+    BreakPoint point;
+    point.kind_ = Kind::Line;
+    point.number_ = line;
+    point.name_ = file;
+    point.text_ = point.name_ + ':' + std::to_string(line);
+    return point;
+}
+
+bool BreakPoint::is_in(std::string_view file, std::string_view started) const {
+    return name_.empty() ? file == started : is_file(file, name_);
+}
+
 bool BreakPoint::is_line(const FileLine& line, std::string_view started) const {
     if (line.file.empty() || number_ < line.first || number_ > line.last) return false;
-    return name_.empty() ? line.file == started : is_file(line.file, name_);
+    return is_in(line.file, started);
 }
 
 bool BreakPoint::is_program(const StopArrival& arrival) const {
@@ -83,38 +96,13 @@ bool BreakPoint::is_at(const StopArrival& arrival) const {
             return (arrival.has_number && arrival.number == number_) || is_program(arrival);
         case Kind::Line:
             return is_line(arrival.text, arrival.started) ||
-                   is_line(arrival.statement, arrival.started) ||
-                   std::any_of(arrival.entered.begin(), arrival.entered.end(),
-                               [this, &arrival](const StopArrival::Entered& call) {
-                                   return is_line(call.call, arrival.started);
-                               });
+                   is_line(arrival.statement, arrival.started);
         case Kind::Name: break;
     }
     const auto is_called = [this](std::string_view name) {
         return !name.empty() && upper_ascii(name) == name_;
     };
-    return is_called(arrival.label) || is_program(arrival) ||
-           std::any_of(arrival.entered.begin(), arrival.entered.end(),
-                       [&](const StopArrival::Entered& call) { return is_called(call.function); });
-}
-
-std::size_t CallWatch::known_calls(const expand::BlockOrigin& now) {
-    // The same call in another pass of a loop around it is another call.
-    const auto is_same_turn = [&](std::size_t loops) {
-        return loops <= now.loop_counts.size() && loops <= before_.loop_counts.size() &&
-               std::equal(now.loop_counts.begin(),
-                          now.loop_counts.begin() + static_cast<std::ptrdiff_t>(loops),
-                          before_.loop_counts.begin());
-    };
-    std::size_t known = 0;
-    while (known < now.calls.size() && known < before_.calls.size() &&
-           now.calls[known].range == before_.calls[known].range &&
-           now.calls[known].function == before_.calls[known].function &&
-           is_same_turn(now.calls[known].loops)) {
-        ++known;
-    }
-    before_ = now;
-    return known;
+    return is_called(arrival.label) || is_program(arrival) || is_called(arrival.entered);
 }
 
 }  // namespace kadr::driver

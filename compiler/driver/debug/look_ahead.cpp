@@ -1,0 +1,47 @@
+#include "driver/debug/look_ahead.h"
+
+#include <utility>
+
+namespace kadr::driver {
+
+LookAhead::LookAhead(Session& session, const KadrProgram& program, const nc::Dialect& dialect,
+                     std::string name)
+    : program_(program),
+      name_(std::move(name)),
+      text_(session, program, dialect, {.keeps_calls = true, .is_only_looked_at = true}, silence_) {
+}
+
+/// False: there is no more text.
+bool LookAhead::read_more() {
+    if (!has_started_ && !text_.start()) return false;
+    has_started_ = true;
+    std::string_view piece = text_.next();
+    if (piece.empty()) return false;
+    while (!piece.empty()) {
+        const std::size_t end = std::min(piece.find('\n'), piece.size());
+        lines_.emplace_back(piece.substr(0, end));
+        piece.remove_prefix(std::min(end + 1, piece.size()));
+    }
+    return true;
+}
+
+std::optional<TraceStep> LookAhead::line(std::uint32_t number) {
+    while (first_ + lines_.size() <= number) {
+        if (!read_more()) return std::nullopt;
+    }
+    for (; first_ < number; ++first_) lines_.pop_front();
+    TraceStep step;
+    step.file = name_;
+    step.line = number;
+    step.text = lines_.front();
+    const SourceId source = text_.lines().find(number);
+    if (source.is_valid() && source.index < program_.code->statements.size())
+        step.statement = program_.code->statements[source.index];
+    if (const expand::BlockOrigin* calls = text_.calls_behind(number)) {
+        step.has_calls = true;
+        step.calls = *calls;
+    }
+    return step;
+}
+
+}  // namespace kadr::driver
