@@ -196,6 +196,8 @@ bool GeneratedText::is_phrase(std::uint64_t line) const {
 
 void GeneratedText::write_batch() {
     const std::size_t count = expander_.pull(batch_);
+    if (count == 0 && aside_.watch != nullptr && expander_.is_waiting())
+        return writer_.write_start(text_);
     if (count > 0) last_source_ = batch_[count - 1].source;
     std::optional<std::size_t> sound;  // length of the text before the first block with an error
     for (std::size_t i = 0; i < count; ++i, ++blocks_) {

@@ -85,6 +85,8 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     std::uint64_t blocks() const { return blocks_; }
     /// Lines that were made so far.
     std::uint32_t made_lines() const { return writer_.lines(); }
+    /// Whether the lines with which a program begins are among them.
+    bool has_started() const { return writer_.has_started(); }
     /// What evaluates the program, for TextAside::watch.
     const expand::Expander& expander() const { return expander_; }
     /// Lines so far that a statement of the program made.

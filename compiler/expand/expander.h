@@ -132,6 +132,9 @@ class Expander final : public Stream<nc::Block> {
     /// Of block `i` of the latest batch, if ExpandOptions::trace.
     const BlockOrigin& trace(std::size_t i) const;
 
+    /// Behind a pull that gave no block: the watch wants it to go on.
+    bool is_waiting() const;
+
     // For ExpandOptions::watch, while it is shown a statement, and between blocks.
     /// The calls that have not returned, outermost first.
     std::vector<RunningCall> running_calls() const;

@@ -54,6 +54,8 @@ std::int64_t parts_of(const sema::Code& code, Heap& heap, const Seen& value) {
 
 }  // namespace
 
+bool Expander::is_waiting() const { return state_->is_running; }
+
 std::vector<RunningCall> Expander::running_calls() const {
     std::vector<RunningCall> calls;
     const CallStack& frames = run_->vm.calls;

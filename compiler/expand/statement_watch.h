@@ -11,10 +11,14 @@ namespace kadr::expand {
 class StatementWatch {
   public:
     virtual ~StatementWatch() = default;
+    enum class Answer : std::uint8_t {
+        GoOn,
+        Again,  // it stands there until the next pull, then it comes to the statement once more
+        End,    // the evaluation ends in front of it, without an error
+    };
     /// A statement is next, by its index in CodeNames::statements; nothing of it is done. All
-    /// blocks of the statements before were asked for if they are pulled one by one. False: the
-    /// evaluation ends in front of it, without an error.
-    virtual bool comes_to(std::uint32_t statement) = 0;
+    /// blocks of the statements before were asked for if they are pulled one by one.
+    virtual Answer comes_to(std::uint32_t statement) = 0;
     /// Whether it has ended the evaluation.
     virtual bool has_ended() const = 0;
 };

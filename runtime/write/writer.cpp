@@ -1,5 +1,7 @@
 #include "write/writer.h"
 
+#include <utility>
+
 #include "write/block_writer.h"
 
 namespace kadr::write {
@@ -31,21 +33,23 @@ void Writer::begin(const ProgramInfo& program, std::string& out) {
     s.has_started = false;
 }
 
+void Writer::write_start(std::string& out) {
+    State& s = *state_;
+    if (std::exchange(s.has_started, true)) return;
+    for (const std::string& line : s.lines.start) s.blocks.write_start_line(line, out);
+}
+
+bool Writer::has_started() const { return state_->has_started; }
+
 std::uint32_t Writer::write(const Block& block, std::string& out) {
     State& s = *state_;
-    if (!s.has_started && block.kind != Block::Kind::Comment) {
-        s.has_started = true;
-        for (const std::string& line : s.lines.start) s.blocks.write_start_line(line, out);
-    }
+    if (block.kind != Block::Kind::Comment) write_start(out);
     return s.blocks.write(block, out);
 }
 
 void Writer::end(std::string& out) {
     State& s = *state_;
-    if (!s.has_started) {
-        s.has_started = true;
-        for (const std::string& line : s.lines.start) s.blocks.write_start_line(line, out);
-    }
+    write_start(out);
     if (!s.blocks.has_ended()) {
         for (const std::string& line : s.lines.finish) s.blocks.write_line(line, true, out);
     }

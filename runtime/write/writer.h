@@ -39,6 +39,10 @@ class Writer {
     /// Appends the line or lines of the block and returns the number of the first one (from 1).
     std::uint32_t write(const Block& block, std::string& out);
     void end(std::string& out);
+    /// The lines with which a program begins, unless they are written: the first block that does
+    /// something has them in front of it.
+    void write_start(std::string& out);
+    bool has_started() const;
 
     std::uint32_t lines() const;  // written so far
     bool failed() const;          // an error was reported

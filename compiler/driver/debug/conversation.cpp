@@ -117,8 +117,8 @@ Resume Conversation::stand(const Stop& stop) {
 void Conversation::report(const Stop& stop) {
     const std::string reason = reason_of(stop, engine_.places());
     if (onlooker_.reads_json) return say(stop_json(stop, reason, engine_, session_));
-    say(shows_line(stop, engine_.places()) ? line_head(stop, reason, session_)
-                                           : statement_head(stop, reason, session_));
+    say(shows_line(stop, engine_) ? line_head(stop, reason, session_)
+                                  : statement_head(stop, reason, session_));
     say(position_lines(engine_.inspection().state()));
     show_state();
     show_variables({});
@@ -217,8 +217,7 @@ void Conversation::show_calls() {
     const auto add = [&](std::string_view function, const SourceRange& range) {
         out += "in " + std::string(function) + ", called at " + session_.source_name(range) + '\n';
     };
-    const bool is_of_line =
-        onlooker_.ask ? !stop_.is_at_statement() : shows_line(stop_, engine_.places());
+    const bool is_of_line = onlooker_.ask ? !stop_.is_at_statement() : shows_line(stop_, engine_);
     if (is_of_line) {
         const auto& calls = stop_.line->calls.calls;
         for (auto call = calls.rbegin(); call != calls.rend(); ++call)

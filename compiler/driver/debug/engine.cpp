@@ -73,8 +73,9 @@ bool DebugEngine::comes_to(const macro::WatchedLine& line) {
     return goes_on(arrival_at(line, step), {false, line.level}, std::move(stop));
 }
 
-bool DebugEngine::comes_to(std::uint32_t statement) {
-    if (has_ended_) return false;
+expand::StatementWatch::Answer DebugEngine::comes_to(std::uint32_t statement) {
+    if (has_ended_) return Answer::End;
+    if (is_in_front_of_start()) return Answer::Again;
     const std::vector<expand::RunningCall> calls =
         execution_->generated()->expander().running_calls();
     Stop stop;
@@ -90,7 +91,7 @@ bool DebugEngine::comes_to(std::uint32_t statement) {
         if (const std::uint32_t behind = calls.back().return_to; behind != 0)
             stop.entered_by = execution_->program()->code->locations[behind - 1];
     }
-    return goes_on(arrival, {true, calls.size()}, std::move(stop));
+    return goes_on(arrival, {true, calls.size()}, std::move(stop)) ? Answer::GoOn : Answer::End;
 }
 
 /// False: the program ends in front of it.
@@ -111,13 +112,23 @@ bool DebugEngine::goes_on(const StopArrival& arrival, const Arrival& at, Stop st
     return stand(std::move(stop), at);
 }
 
+std::optional<TraceStep> DebugEngine::next_line() {
+    if (ahead_ == nullptr)
+        ahead_ = std::make_unique<LookAhead>(session_, *execution_->program(),
+                                             execution_->dialect(), execution_->text_name());
+    return ahead_->line(execution_->generated()->made_lines() + 1);
+}
+
+/// The lines with which a text begins belong to no statement: they are executed before the first
+/// one of which a line stands behind them.
+bool DebugEngine::is_in_front_of_start() {
+    if (execution_->generated()->has_started()) return false;
+    const std::optional<TraceStep> line = next_line();
+    return line && !line->statement.file.is_valid();
+}
+
 bool DebugEngine::stand(Stop stop, const Arrival& at) {
-    if (stop.is_at_statement()) {
-        if (ahead_ == nullptr)
-            ahead_ = std::make_unique<LookAhead>(session_, *execution_->program(),
-                                                 execution_->dialect(), execution_->text_name());
-        stop.line = ahead_->line(execution_->generated()->made_lines() + 1);
-    }
+    if (stop.is_at_statement()) stop.line = next_line();
     inspection_.begin(stop);
     advance_ = {stand_ ? stand_(stop) : Resume::Continue, at, StopReason::Step};
     if (advance_.how != Resume::End) return true;
@@ -151,13 +162,18 @@ bool DebugEngine::is_out_of_reach(const BreakPoint& point) const {
     if (point.is_in(execution_->text_name(), started())) return false;
     bool is_known_file = false;
     for (const sema::StatementStart& statement : program->code->names.statements) {
-        StopArrival arrival;
-        arrival.started = started();
-        arrival.statement = lines_of(statement.range);
-        if (point.is_at(arrival)) return false;
-        is_known_file = is_known_file || point.is_in(arrival.statement.file, arrival.started);
+        if (is_on_lines(point, statement.range)) return false;
+        const std::string_view file = session_.sources().name(statement.range.file);
+        is_known_file = is_known_file || point.is_in(file, started());
     }
     return is_known_file;
+}
+
+bool DebugEngine::is_on_lines(const BreakPoint& point, const SourceRange& range) const {
+    StopArrival arrival;
+    arrival.started = started();
+    arrival.statement = lines_of(range);
+    return point.is_at(arrival);
 }
 
 }  // namespace kadr::driver

@@ -53,9 +53,11 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
     /// Whether no run can come to the place: it is a line of a source of the program, and no
     /// statement begins there.
     bool is_out_of_reach(const BreakPoint& point) const;
+    /// Whether a line is one of those that the range takes.
+    bool is_on_lines(const BreakPoint& point, const SourceRange& range) const;
 
     bool comes_to(const macro::WatchedLine& line) override;
-    bool comes_to(std::uint32_t statement) override;
+    Answer comes_to(std::uint32_t statement) override;
     bool has_ended() const override { return has_ended_; }
 
   private:
@@ -65,6 +67,8 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
     const WatchedPlace* reach(const StopArrival& arrival);
     bool goes_on(const StopArrival& arrival, const Arrival& at, Stop stop);
     bool stand(Stop stop, const Arrival& at);
+    std::optional<TraceStep> next_line();
+    bool is_in_front_of_start();
     void end(StopReason why);
 
     Session& session_;

@@ -64,16 +64,18 @@ std::string reason_of(const Stop& stop, const Places& places) {
     return "stopped";
 }
 
-bool shows_line(const Stop& stop, const Places& places) {
+bool shows_line(const Stop& stop, const DebugEngine& engine) {
     if (!stop.is_at_statement()) return true;
-    if (!stop.line) return false;
-    if (is_inside(stop.line->statement, stop.statement)) return true;
-    const WatchedPlace* place = places.find(stop.place);
-    const bool is_function = place != nullptr && place->point.kind() == BreakPoint::Kind::Name;
-    return std::ranges::any_of(stop.line->calls.calls, [&](const expand::SourceCall& call) {
-        return is_inside(call.range, stop.statement) ||
-               (is_function && call.range == stop.entered_by);
-    });
+    const WatchedPlace* place = engine.places().find(stop.place);
+    if (!stop.line || place == nullptr) return false;
+    const bool is_function = place->point.kind() == BreakPoint::Kind::Name;
+    const auto is_there = [&](const SourceRange& range) {
+        return !is_function && range.file.is_valid() && engine.is_on_lines(place->point, range);
+    };
+    return is_there(stop.line->statement) ||
+           std::ranges::any_of(stop.line->calls.calls, [&](const expand::SourceCall& call) {
+               return is_there(call.range) || (is_function && call.range == stop.entered_by);
+           });
 }
 
 std::string line_head(const Stop& stop, std::string_view reason, const Session& session) {
@@ -124,9 +126,9 @@ std::string variable_lines(const std::vector<Variable>& variables, std::string_v
 namespace {
 
 /// The line that is next, and the statement behind it; of a statement that makes none its own.
-void put_location(JsonWriter& json, const Stop& stop, const Places& places,
+void put_location(JsonWriter& json, const Stop& stop, const DebugEngine& engine,
                   const Session& session) {
-    if (shows_line(stop, places)) {
+    if (shows_line(stop, engine)) {
         json.key("file").value(stop.line->file);
         json.key("line").value(stop.line->line);
         json.key("text").value(stop.line->text);
@@ -159,7 +161,7 @@ std::string stop_json(const Stop& stop, std::string_view reason, DebugEngine& en
     JsonWriter json(out);
     json.object([&] {
         json.key("stopped").value(reason);
-        put_location(json, stop, engine.places(), session);
+        put_location(json, stop, engine, session);
         put_axis_values(json.key("position"), now.now.axes, now.now.work);
         put_axis_values(json.key("machine"), now.now.axes, now.now.machine);
         json.key("codes").object([&] {

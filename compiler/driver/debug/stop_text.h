@@ -10,9 +10,9 @@ namespace kadr::driver {
 
 /// "stopped before `N30`"
 std::string reason_of(const Stop& stop, const Places& places);
-/// Whether a report shows the next line of the text: the run stands in front of it, or of the
-/// statement or the named function that makes it, whatever calls lie between.
-bool shows_line(const Stop& stop, const Places& places);
+/// Whether a report shows the next line of the text: the run stands in front of it, or the place
+/// is one of its statement or of a call that leads to it.
+bool shows_line(const Stop& stop, const DebugEngine& engine);
 
 /// The head of a stop in front of a line: the line, and the statement that has made it.
 std::string line_head(const Stop& stop, std::string_view reason, const Session& session);
