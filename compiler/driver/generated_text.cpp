@@ -221,10 +221,11 @@ void GeneratedText::write_batch() {
     is_at_end_ = count == 0 || failed();
     if (!is_at_end_) return;
     body_lines_ = writer_.lines();
-    if (aside_.watch != nullptr && aside_.watch->has_ended()) return;
     // Nobody executes what has its error already.
     if (sound) text_.resize(*sound);
-    writer_.end(text_);
+    // Who looks on sees where it has ended, not the end of the program.
+    const bool is_cut = aside_.watch != nullptr && (aside_.watch->has_ended() || failed());
+    if (!is_cut) writer_.end(text_);
 }
 
 /// The expander is ahead of the writer and keeps no calls, which would cost every program. An error

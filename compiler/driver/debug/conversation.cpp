@@ -138,6 +138,10 @@ std::optional<Resume> Conversation::obey(std::string_view line) {
     };
     for (const Going& going : kGoings) {
         if (!is(going.name)) continue;
+        if (going.resume == Resume::StepOut && !is_called()) {
+            say("nothing has called this program: `:continue` goes on to its end\n");
+            return std::nullopt;
+        }
         last_command_ = std::string(line);
         return going.resume;
     }
@@ -159,6 +163,13 @@ std::optional<Resume> Conversation::obey(std::string_view line) {
         say(kHelp);
     }
     return std::nullopt;
+}
+
+/// Whether there is a function or a program, as the one in which the run stands, that has called
+/// it.
+bool Conversation::is_called() {
+    const std::vector<StackFrame>& frames = engine_.inspection().frames();
+    return frames.size() > 1 && frames[1].kind == frames[0].kind;
 }
 
 void Conversation::add_place(std::string_view text) {

@@ -14,8 +14,8 @@ void DebugEngine::look_on(Aside& aside) {
     aside.watch = this;
     aside.changes = steps_.changes();
     // Steps of a trace are lines: statements are for who wants to stop.
-    const bool may_stop = !places_.is_empty() || advance_.how != Resume::Continue;
-    if (may_stop) aside.statements = this;
+    sees_statements_ = !places_.is_empty() || advance_.how != Resume::Continue;
+    if (sees_statements_) aside.statements = this;
 }
 
 void DebugEngine::follow(Execution& execution) {
@@ -134,6 +134,11 @@ bool DebugEngine::stand(Stop stop, const Arrival& at) {
     if (advance_.how != Resume::End) return true;
     end(StopReason::End);
     return false;
+}
+
+bool DebugEngine::has_ended() const {
+    const GeneratedText* text = sees_statements_ ? execution_->generated() : nullptr;
+    return has_ended_ || (text != nullptr && text->failed());
 }
 
 void DebugEngine::end(StopReason why) {

@@ -58,7 +58,8 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
 
     bool comes_to(const macro::WatchedLine& line) override;
     Answer comes_to(std::uint32_t statement) override;
-    bool has_ended() const override { return has_ended_; }
+    /// Also if an error has ended a program that it sees statement by statement.
+    bool has_ended() const override;
 
   private:
     StopArrival arrival_at(const macro::WatchedLine& line, const TraceStep& step);
@@ -81,6 +82,7 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
     Execution* execution_ = nullptr;
     Advance advance_;
     std::atomic<bool> wants_pause_ = false;
+    bool sees_statements_ = false;
     bool has_ended_ = false;
     StopReason ending_ = StopReason::End;
     Stop last_;            // in front of what was executed last
