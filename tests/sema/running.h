@@ -24,7 +24,7 @@ struct RunOptions {
     std::map<std::string, std::string> modules;  // what can be imported, by name
     bool with_stdlib = false;                    // … or the real library
     bool with_broken_text = false;               // what has syntax errors is checked as well
-    bool keeps_names = false;            // Code::names is filled
+    bool keeps_names = false;                    // Code::names is filled
     std::string file = "test.kadr";
 };
 

@@ -26,13 +26,13 @@ constexpr const char* kHelp =
     ":break N50  stop there too\n"
     ":quit       the program ends here\n";
 
-struct Words {
+struct CommandWords {
     std::string_view name;
     std::string_view rest;
 };
 
 /// `:vars R1` without its colon.
-Words words_of(std::string_view line) {
+CommandWords words_of(std::string_view line) {
     const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
     return {line.substr(0, end),
             line.substr(std::min(line.find_first_not_of(" \t", end), line.size()))};
@@ -167,7 +167,7 @@ std::optional<Resume> Conversation::obey(std::string_view line) {
 
 /// Whether there is a function or a program, as the one in which the run stands, that has called
 /// it.
-bool Conversation::is_called() {
+bool Conversation::is_called() const {
     const std::vector<StackFrame>& frames = engine_.inspection().frames();
     return frames.size() > 1 && frames[1].kind == frames[0].kind;
 }

@@ -34,7 +34,7 @@ class Conversation {
     void show_globals(std::string_view part);
     void show_calls();
     void add_place(std::string_view text);
-    bool is_called();
+    bool is_called() const;
     void say(const std::string& text) const;
 
     Session& session_;

@@ -75,7 +75,7 @@ bool DebugEngine::comes_to(const macro::WatchedLine& line) {
 
 expand::StatementWatch::Answer DebugEngine::comes_to(std::uint32_t statement) {
     if (has_ended_) return Answer::End;
-    if (is_in_front_of_start()) return Answer::Again;
+    if (waits_for_start()) return Answer::Again;
     const std::vector<expand::RunningCall> calls =
         execution_->generated()->expander().running_calls();
     Stop stop;
@@ -114,14 +114,14 @@ bool DebugEngine::goes_on(const StopArrival& arrival, const Arrival& at, Stop st
 
 std::optional<TraceStep> DebugEngine::next_line() {
     if (ahead_ == nullptr)
-        ahead_ = std::make_unique<LookAhead>(session_, *execution_->program(),
+        ahead_ = std::make_unique<NextLines>(session_, *execution_->program(),
                                              execution_->dialect(), execution_->text_name());
     return ahead_->line(execution_->generated()->made_lines() + 1);
 }
 
 /// The lines with which a text begins belong to no statement: they are executed before the first
 /// one of which a line stands behind them.
-bool DebugEngine::is_in_front_of_start() {
+bool DebugEngine::waits_for_start() {
     if (execution_->generated()->has_started()) return false;
     const std::optional<TraceStep> line = next_line();
     return line && !line->statement.file.is_valid();

@@ -11,7 +11,7 @@
 
 #include "driver/debug/call_trail.h"
 #include "driver/debug/inspection.h"
-#include "driver/debug/look_ahead.h"
+#include "driver/debug/next_lines.h"
 #include "driver/debug/places.h"
 #include "driver/debug/stepping.h"
 #include "driver/debug/steps.h"
@@ -69,7 +69,7 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
     bool goes_on(const StopArrival& arrival, const Arrival& at, Stop stop);
     bool stand(Stop stop, const Arrival& at);
     std::optional<TraceStep> next_line();
-    bool is_in_front_of_start();
+    bool waits_for_start();
     void end(StopReason why);
 
     Session& session_;
@@ -78,7 +78,7 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
     Steps steps_;
     Inspection inspection_;
     CallTrail trail_;
-    std::unique_ptr<LookAhead> ahead_;  // made when it is asked
+    std::unique_ptr<NextLines> ahead_;  // made when it is asked
     Execution* execution_ = nullptr;
     Advance advance_;
     std::atomic<bool> wants_pause_ = false;

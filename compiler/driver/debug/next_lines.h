@@ -1,4 +1,4 @@
-// look_ahead.h — which line of ISO-7bit text a Kadr program will make next.
+// next_lines.h — which line of ISO-7bit text a Kadr program will make next.
 //
 // In front of a statement the line does not exist yet: the program is evaluated a second time
 // beside the one that runs, a little ahead of it. Nobody sees what that reports.
@@ -16,10 +16,10 @@
 
 namespace kadr::driver {
 
-class LookAhead {
+class NextLines {
   public:
     /// All outlive it. `name`: of the text.
-    LookAhead(Session& session, const KadrProgram& program, const nc::Dialect& dialect,
+    NextLines(Session& session, const KadrProgram& program, const nc::Dialect& dialect,
               std::string name);
 
     /// A line by its number, from 1; numbers rise from call to call. Nothing: the program makes no

@@ -1,10 +1,10 @@
-#include "driver/debug/look_ahead.h"
+#include "driver/debug/next_lines.h"
 
 #include <utility>
 
 namespace kadr::driver {
 
-LookAhead::LookAhead(Session& session, const KadrProgram& program, const nc::Dialect& dialect,
+NextLines::NextLines(Session& session, const KadrProgram& program, const nc::Dialect& dialect,
                      std::string name)
     : program_(program),
       name_(std::move(name)),
@@ -12,7 +12,7 @@ LookAhead::LookAhead(Session& session, const KadrProgram& program, const nc::Dia
 }
 
 /// False: there is no more text.
-bool LookAhead::read_more() {
+bool NextLines::read_more() {
     if (!has_started_ && !text_.start()) return false;
     has_started_ = true;
     std::string_view piece = text_.next();
@@ -25,7 +25,7 @@ bool LookAhead::read_more() {
     return true;
 }
 
-std::optional<TraceStep> LookAhead::line(std::uint32_t number) {
+std::optional<TraceStep> NextLines::line(std::uint32_t number) {
     while (first_ + lines_.size() <= number) {
         if (!read_more()) return std::nullopt;
     }
