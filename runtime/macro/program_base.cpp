@@ -65,8 +65,15 @@ Outcome ProgramBase::fail(CompiledLine& line, const LineFault& fault) {
     return Outcome::Failed;
 }
 
+bool ProgramBase::end_for_watch() {
+    if (watch == nullptr || !watch->has_ended()) return false;
+    phase.was_stopped = phase.has_ended = true;
+    return true;
+}
+
 Outcome ProgramBase::fail(CompiledLine& line, ProgramMap::Fault fault, const DiagnosticRow& missing,
                           const Span& span, const std::string& what) {
+    if (fault != ProgramMap::Fault::None && end_for_watch()) return Outcome::Nothing;
     switch (fault) {
         case ProgramMap::Fault::None: return Outcome::Nothing;
         case ProgramMap::Fault::Missing: return fail(line, missing, span, {what});

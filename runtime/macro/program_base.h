@@ -86,6 +86,9 @@ class ProgramBase {
     std::unique_ptr<RunningProgram> take_frame();
     /// All but the main program are left.
     void keep_main_frame() { frames.resize(1); }
+    /// Behind text that there is not: the program ends here if the one who looks on wanted it to
+    /// while more was being made. False: nobody did.
+    bool end_for_watch();
     /// The program ends here.
     void end() { phase.has_ended = true; }
     /// A jump back, or a call.

@@ -214,11 +214,8 @@ Outcome ProgramRun::first_time(Block& out) {
     if (frame->here.offset != frontier().offset) note_passed_text();
     std::string_view text;
     bool is_too_long = false;
-    if (!source().next(text, is_too_long)) {
-        if (watch == nullptr || !watch->has_ended()) return end_of_text();
-        phase.was_stopped = phase.has_ended = true;
-        return Outcome::Nothing;
-    }
+    if (!source().next(text, is_too_long))
+        return end_for_watch() ? Outcome::Nothing : end_of_text();
     if (watch != nullptr && !show(text)) return Outcome::Nothing;
     text = line_texts.with_macros(text);
     const LinePosition next{source().offset(), frame->here.line + 1};

@@ -26,10 +26,11 @@ bool NextLines::read_more() {
 }
 
 std::optional<TraceStep> NextLines::line(std::uint32_t number) {
-    while (first_ + lines_.size() <= number) {
+    while (true) {
+        for (; first_ < number && !lines_.empty(); ++first_) lines_.pop_front();
+        if (first_ == number && !lines_.empty()) break;
         if (!read_more()) return std::nullopt;
     }
-    for (; first_ < number; ++first_) lines_.pop_front();
     TraceStep step;
     step.file = name_;
     step.line = number;
