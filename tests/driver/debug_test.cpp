@@ -12,11 +12,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/disk_files.h"
 #include "base/text.h"
 #include "driver/debug/engine.h"
 #include "driver/debug/stepping.h"
 #include "driver/run.h"
 #include "driver/session.h"
+#include "tests/common/inputs.h"
 
 namespace kadr::debug_test {
 namespace {
@@ -59,12 +61,12 @@ struct Talk {
 
     std::string perform() const {
         std::string words;
-        Sources sources;
+        Sources sources = test::inputs().new_sources();
         Messages messages(sources, {}, [&words](std::string_view text) { words += text; });
         Options options;
         options.dialect = dialect;
         options.allow_read = {kFolder.string()};
-        Session session(options, find_share(), sources, messages);
+        Session session(options, test::inputs(), sources, messages);
         RunJob job;
         job.source = program;
         job.breaks = breaks;
@@ -215,10 +217,10 @@ class EngineTest : public ::testing::Test {
     }
 
     ScratchFolder scratch_;
-    Sources sources_;
+    Sources sources_ = test::inputs().new_sources();
     std::string said_;
     Messages messages_{sources_, {}, [this](std::string_view text) { said_ += text; }};
-    Session session_{options(), find_share(), sources_, messages_};
+    Session session_{options(), test::inputs(), sources_, messages_};
 
   protected:
     DebugEngine engine{session_};
