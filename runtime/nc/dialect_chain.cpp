@@ -164,7 +164,7 @@ void read_files(const std::string& name_or_file, const SearchPath& folders, Sour
         const auto path = find_dialect_file(*next, folders, sources.files());
         if (!path) return;
         const std::string real = sources.files().real_path(*path);
-        if (!seen.insert(error ? *path : real).second) return;  // it extends itself
+        if (!seen.insert(real.empty() ? *path : real).second) return;  // it extends itself
         const auto file = sources.read(*path);
         const auto root = file ? parse_xml(*file, sources, dialect_shape(), nobody) : std::nullopt;
         if (!root) return;
