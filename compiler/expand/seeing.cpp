@@ -54,7 +54,7 @@ std::int64_t parts_of(const sema::Code& code, Heap& heap, const Seen& value) {
 
 }  // namespace
 
-bool Expander::is_waiting() const { return state_->is_running; }
+bool Expander::is_waiting() const { return run_->status.is_running(); }
 
 std::vector<RunningCall> Expander::running_calls() const {
     std::vector<RunningCall> calls;

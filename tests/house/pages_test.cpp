@@ -2,6 +2,7 @@
 // leads somewhere.
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -133,6 +134,36 @@ TEST(Pages, FilesNamedForThoseWhoChangeKadrAreThere) {
         }
         EXPECT_GT(names, 4) << page;
     }
+}
+
+/// The standard output of a command; nothing if it fails.
+std::string output_of(const std::string& command) {
+    std::string out;
+    std::FILE* const pipe = popen((command + " 2>/dev/null").c_str(), "r");
+    if (pipe == nullptr) return out;
+    for (int c = std::getc(pipe); c != EOF; c = std::getc(pipe)) out += static_cast<char>(c);
+    return pclose(pipe) == 0 ? out : std::string();
+}
+
+/// Each with its subject, or the beginning of it, behind the hash: "`a577853e`, *CYCLE832 acts*".
+TEST(Pages, CommitsThatAreCitedAreThere) {
+    const std::string git = "git -C '" + kRoot.string() + "' ";
+    // An unpacked archive has no log, a shallow clone only its end.
+    if (output_of(git + "rev-parse --is-shallow-repository") != "false\n") GTEST_SKIP();
+    static const std::regex cited("`([0-9a-f]{8})`(?:, \\*([^*…]+))?");
+    const std::string page = kadr::read_file((kRoot / "docs/adding.md").string()).value();
+    std::string text = page;
+    std::ranges::replace(text, '\n', ' ');
+    int commits = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), cited), end; at != end; ++at) {
+        ++commits;
+        const std::string subject = output_of(git + "log -1 --format=%s " + (*at)[1].str());
+        EXPECT_NE(subject, "") << (*at)[1];
+        std::string claimed = (*at)[2];
+        claimed.erase(claimed.find_last_not_of(' ') + 1);
+        EXPECT_TRUE(subject.starts_with(claimed)) << (*at)[1] << ": " << subject;
+    }
+    EXPECT_GT(commits, 8);
 }
 
 }  // namespace
