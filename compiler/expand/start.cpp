@@ -104,6 +104,10 @@ void prepare(Running& run, const FunctionCode& function) {
     run.modal = ModalState::at_start(function, run.target.power_on(nc::Group::Diameter));
 }
 
+Slot& argument_register(Running& run, std::size_t slot) {
+    return run.vm.stack[run.code.globals + slot];
+}
+
 void enter(Running& run, const FunctionCode& function, std::uint32_t given,
            std::uint32_t return_to) {
     const std::size_t number = static_cast<std::size_t>(&function - run.code.functions.data());
@@ -226,7 +230,7 @@ Done start(Running& run, std::string_view name, const std::vector<sema::Define>&
         }
         given |= 1u << index;
         if (!set_parameter(run, *function, *found, define.value,
-                           run.vm.stack[run.code.globals + found->slot]))
+                           argument_register(run, found->slot)))
             is_good = false;
     }
     for (std::size_t i = 0; i < function->parameters.size(); ++i) {
@@ -303,7 +307,7 @@ Done start_cycle(Running& run, std::string_view name, std::span<const double> ar
     for (std::size_t i = 0; i < function.parameters.size(); ++i) {
         const ParameterInfo& parameter = function.parameters[i];
         if (parameter.kind == ParameterInfo::Kind::Contour && at.shape != nullptr) {
-            run.vm.stack[run.code.globals + parameter.slot].integer =
+            argument_register(run, parameter.slot).integer =
                 make_contour(run, {*at.shape, at.plane, at.is_diameter}, parameter.layout);
             set |= 1u << i;
             next += arguments.size() + 1 - function.parameters.size();
@@ -318,8 +322,7 @@ Done start_cycle(Running& run, std::string_view name, std::span<const double> ar
                 .arg(parameter.name);
             return kFailed;
         }
-        if (!set_number(parameter, arguments[argument],
-                        run.vm.stack[run.code.globals + parameter.slot])) {
+        if (!set_number(parameter, arguments[argument], argument_register(run, parameter.slot))) {
             run.sink.report(diag::DefineType).arg(parameter.name).arg(parameter.type_name);
             return kFailed;
         }

@@ -7,6 +7,8 @@ namespace kadr::expand {
 
 /// Registers for the globals and for a function that begins, and the state in which it does.
 void prepare(Running& run, const sema::FunctionCode& function);
+/// The register of a parameter's slot, of the function that is to begin.
+Slot& argument_register(Running& run, std::size_t slot);
 /// Begins with the globals; behind them the function runs.
 ///
 /// given        bit i: parameter i has its value in the registers

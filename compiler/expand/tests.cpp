@@ -50,7 +50,7 @@ void start_test(Running& run, std::uint32_t index, std::span<const Slot> values,
     const FunctionCode& function = run.code.functions[index];
     prepare(run, function);
     run.test.bench = &asked;
-    std::copy(values.begin(), values.end(), run.vm.stack.begin() + run.code.globals);
+    for (std::size_t i = 0; i < values.size(); ++i) argument_register(run, i) = values[i];
     enter(run, function, run.vm.all_given[index]);
 }
 
@@ -127,6 +127,11 @@ bool stops_at_failure(Running& run) {
 }
 
 }  // namespace
+
+void reject_values(Running& run) {
+    run.test.is_rejected = true;
+    run.status.finish();
+}
 
 void ask_figure(Running& run, const Instruction& instruction, Slot* registers) {
     KADR_ASSERT(run.test.bench != nullptr, "a test runs without a bench");
@@ -276,7 +281,7 @@ void start_call(Running& run, const CallUnderTest& call) {
         const std::vector<SlotKind>& kinds = run.code.layouts[entry.layouts[i]].slots;
         for (std::size_t s = 0; s < kinds.size(); ++s) {
             const std::size_t at = parameter.slot + s;
-            run.vm.stack[run.code.globals + at] =
+            argument_register(run, at) =
                 run.vm.heap.adopt(*call.heap, call.arguments[at], kinds[s]);
         }
     }

@@ -12,6 +12,8 @@ std::optional<std::vector<Slot>> read_values(Running& run, std::uint32_t index,
                                              const std::vector<sema::Define>& defines);
 /// Executes TestCall: has the bench execute a call, write it, or wait for its error.
 Done test_call(Running& run, const Instruction& instruction, Slot* registers, std::uint32_t at);
+/// Executes AssumeFailed: the values of a property are not among those that it assumes.
+void reject_values(Running& run);
 /// Executes Figure: what the bench measures of a call that was executed.
 void ask_figure(Running& run, const Instruction& instruction, Slot* registers);
 /// Executes TestDialects: the names of the dialects under test, or of the present one.

@@ -179,6 +179,34 @@ TEST(House, SharedStateIsWrittenByItsOwner) {
     }
 }
 
+/// The same of a program that runs in the expander: what has verbs is private, and of what stands
+/// open in its owners each member is written in two files at most. The chapters of vm.cpp count as
+/// one.
+TEST(House, StateOfTheExpanderIsWrittenByItsOwner) {
+    static const std::regex written(
+        R"((?:(?:\+\+|--)run\.((?:\w+\.)*\w+))"
+        R"(|\brun\.((?:\w+\.)*\w+)(?:\[[^\]=;]*\])*(?:\.number|\.integer)?)"
+        R"( *(?:(?:[-+*/|&^]|<<|>>)?=[^=]|\+\+|--)))");
+    std::map<std::string, std::set<std::string>> writers;  // of each member
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(kRoot / "compiler/expand")) {
+        const std::string extension = entry.path().extension();
+        if (extension != ".cpp" && extension != ".inc") continue;
+        const std::string text = kadr::read_file(entry.path()).value_or("");
+        std::sregex_iterator at(text.begin(), text.end(), written), end;
+        for (; at != end; ++at) {
+            const std::string file = extension == ".inc" ? "vm.cpp" : entry.path().filename();
+            writers[at->str(1) + at->str(2)].insert(file);
+        }
+    }
+    EXPECT_GT(writers.size(), 20u);
+    for (const auto& [member, files] : writers) {
+        std::string list;
+        for (const std::string& file : files) list += ' ' + file;
+        EXPECT_LE(files.size(), 2u) << member << " is written in" << list;
+    }
+}
+
 TEST(House, HeadersAreShort) {
     for (const fs::path& file : sources(".h")) {
         const std::string name = fs::relative(file, kRoot).string();
