@@ -1,9 +1,11 @@
 #include "macro/line_uses.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "macro/fixed_targets.h"
+#include "macro/named_shape.h"
 #include "nc/letters.h"
 
 namespace kadr::macro {
@@ -285,6 +287,87 @@ void LineUses::take_words() {
         use.outcome = found->second.outcome;
         use.target = found->second.target;
     }
+}
+
+// ------------------------------------------------------------------------------ shapes
+
+void LineUses::take_shape(const ReadLine& line, const nc::ControlLine& code, const nc::Block& block,
+                          const nc::CycleInfo& cycle) {
+    line_ = &line;
+    code_ = &code;
+    if (cycle.takes_shape()) {
+        const std::uint32_t first = take_shape_block(block, cycle.roles.first_block);
+        const std::uint32_t last = take_shape_block(block, cycle.roles.last_block);
+        if (first == OpenUse::kNone || last == OpenUse::kNone) return;
+        OpenUse& end = out_.open[last];
+        if (end.target.number == out_.open[first].target.number) return;  // one block
+        end.rule = Rule::Behind;
+        end.other = first;
+        return;
+    }
+    if ((!names_contour(cycle) && !names_shape(cycle)) || block.text.empty()) return;
+    const NamedContour contour = contour_named_by(block, cycle);
+    const Span all{0, static_cast<std::uint32_t>(line.text.size())};
+    std::vector<std::string> labels = with_labels(contour).parts;
+    std::uint32_t program = OpenUse::kNone;
+    if (contour.kind == ContourSource::Program || contour.kind == ContourSource::ProgramLabels) {
+        if (labels.empty()) return;
+        const nc::CallLanguage& calls = tables_.language.calls;
+        const bool ignores_case = tables_.notation.ignores_case;
+        const std::string name = nc::program_of_path(calls, labels[0], ignores_case);
+        program = call_program(Kind::Call, span_of_name(all, name), name,
+                               nc::kind_of_path(calls, labels[0], ignores_case));
+        labels.erase(labels.begin());
+    }
+    if (contour.kind == ContourSource::Program || labels.size() < 2) return;
+    const bool is_named = contour.kind == ContourSource::Named;
+    const auto span = [&](const std::string& label) {
+        return span_of_name(all, is_named ? contour.parts[0] : label);
+    };
+    const std::uint32_t first = name_label(program, OpenUse::kNone, span(labels[0]), labels[0]);
+    name_label(program, first, span(labels[1]), labels[1]);
+}
+
+/// program  the open use of the one with the label; OpenUse::kNone: the own one
+/// first    the open use behind whose target it is looked for; OpenUse::kNone: from the head
+std::uint32_t LineUses::name_label(std::uint32_t program, std::uint32_t first, const Span& span,
+                                   const std::string& label) {
+    const bool is_first = first == OpenUse::kNone;
+    const std::string name = nc::ControlWords(tables_, line_->text).normal(label);
+    const std::uint32_t added = aim(Kind::Repeat,
+                                    !is_first                   ? Rule::Behind
+                                    : program == OpenUse::kNone ? Rule::FromHead
+                                                                : Rule::InCalled,
+                                    span, LineTarget{name, -1});
+    out_.open[added].other = is_first ? program : first;
+    return added;
+}
+
+/// A block of the shape by its number, looked for as a jump does.
+std::uint32_t LineUses::take_shape_block(const nc::Block& block, int parameter) {
+    const nc::Invocation* const call = block.find(nc::Function::Cycle);
+    const std::int64_t number =
+        std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
+    if (number < 0) return OpenUse::kNone;
+    return aim(Kind::Repeat, Rule::Nearest, span_of_parameter(block, parameter),
+               LineTarget{{}, number});
+}
+
+/// The number of the word that gives the parameter of the cycle; of no word all of the line.
+Span LineUses::span_of_parameter(const nc::Block& block, int parameter) const {
+    const nc::LexedLine& words = code_->words;
+    for (const nc::Form& spelling : tables_.forms) {
+        if (spelling.function != nc::Function::Cycle || spelling.cycle != block.cycle) continue;
+        for (const nc::FormWord& form : spelling.words) {
+            if (form.parameter != parameter) continue;
+            const auto word = std::ranges::find(words.words, form.address, &nc::GivenWord::address);
+            if (word == words.words.end()) continue;
+            Span span = words.spans[static_cast<std::size_t>(word - words.words.begin())];
+            while (span.begin < span.end && !nc::is_digit(line_->text[span.begin])) ++span.begin;
+            return span;
+        }
+    }
+    return {0, static_cast<std::uint32_t>(line_->text.size())};
 }
 
 // ------------------------------------------------------------------------------ what is added

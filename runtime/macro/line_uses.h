@@ -31,6 +31,10 @@ class LineUses {
 
     /// names  of the program, which is the last one of the text so far; get those that it declares
     void take(const ReadLine& line, const nc::ControlLine& code, NamesOfProgram& names);
+    /// The shape along which the cycle works that the block of the line calls: blocks by their
+    /// numbers, a program, or what stands between two labels.
+    void take_shape(const ReadLine& line, const nc::ControlLine& code, const nc::Block& block,
+                    const nc::CycleInfo& cycle);
 
   private:
     using Kind = TextUse::Kind;
@@ -51,6 +55,11 @@ class LineUses {
     void take_variables();
     bool take_variable(Kind kind, const nc::Span& span);
     void take_words();
+
+    std::uint32_t take_shape_block(const nc::Block& block, int parameter);
+    std::uint32_t name_label(std::uint32_t program, std::uint32_t first, const nc::Span& span,
+                             const std::string& label);
+    nc::Span span_of_parameter(const nc::Block& block, int parameter) const;
 
     TextUse& add_use(Kind kind, const nc::Span& span, std::string name = {});
     OpenUse& open(const TextUse& use, OpenUse::Rule rule);

@@ -35,7 +35,8 @@ Outcome ModalCalls::begin(CompiledLine& line, const ControlStatement& statement,
     auto prepared = std::make_shared<PreparedCall>();
     const Outcome done = run_.call_preparation.prepare(line, statement, *prepared);
     if (!goes_on(done)) return done;
-    run_.show_way(WayTaken::Kind::Call, line, *prepared->unit, prepared->unit->begin);
+    run_.show_way(WayTaken::Kind::Call, line.program_line.line, *prepared->unit,
+                  prepared->unit->begin);
     prepared->is_modal = true;
     const int most = run_.language.rules.most_modal_calls;
     if (most == 1) calls_.clear();

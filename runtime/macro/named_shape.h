@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "nc/dialect.h"
 
@@ -35,6 +37,18 @@ enum class ContourSource : std::uint8_t {
 /// What editors of contours write in front of its name, as labels around it.
 inline constexpr std::string_view kContourBegin = "E_LAB_A_";
 inline constexpr std::string_view kContourEnd = "E_LAB_E_";
+
+/// The contour that a call names: parts of a text, and which they are.
+struct NamedContour {
+    std::vector<std::string> parts;
+    ContourSource kind = ContourSource::Program;
+};
+/// What stands between colons: `"BEGIN:END"`.
+std::vector<std::string> parts_of_contour(std::string_view text);
+/// The contour that the call of a cycle in this block names. Its text is empty: it names none.
+NamedContour contour_named_by(const nc::Block& block, const nc::CycleInfo& cycle);
+/// The two labels around it, of one that editors name; of any other it stays as it is.
+NamedContour with_labels(NamedContour contour);
 
 /// A cycle that has it is a pattern of positions: whether something is called at each.
 inline constexpr std::string_view kPatternParameter = "calls";

@@ -44,14 +44,13 @@ ProgramBase::ProgramBase(const nc::Dialect& dialect_, nc::TextSource& main, std:
     });
 }
 
-void ProgramBase::show_way(WayTaken::Kind kind, const CompiledLine& line, const ProgramUnit& to,
+void ProgramBase::show_way(WayTaken::Kind kind, const LinePosition& line, const ProgramUnit& to,
                            const LinePosition& target) {
     if (watch == nullptr) return;
     const auto file_of = [&](const ProgramText* in) {
         return in == units.main().text ? std::string_view() : std::string_view(in->name);
     };
-    watch->takes({kind, line.program_line.line.line, file_of(frame->unit->text), target.line,
-                  file_of(to.text)});
+    watch->takes({kind, line.line, file_of(frame->unit->text), target.line, file_of(to.text)});
 }
 
 std::unique_ptr<RunningProgram> ProgramBase::take_frame() {

@@ -120,7 +120,7 @@ class ProgramBase {
 
     /// Tells who looks on that the line, of the program that runs, leads to one of the program
     /// `to`.
-    void show_way(WayTaken::Kind kind, const CompiledLine& line, const ProgramUnit& to,
+    void show_way(WayTaken::Kind kind, const LinePosition& line, const ProgramUnit& to,
                   const LinePosition& target);
 
   private:

@@ -47,7 +47,8 @@ Outcome Calls::call(CompiledLine& line, const ControlStatement& statement) {
     if (!goes_on(done)) return done;
     done = begin(line, prepared);
     if (goes_on(done))
-        run_.show_way(WayTaken::Kind::Call, line, *prepared.unit, prepared.unit->begin);
+        run_.show_way(WayTaken::Kind::Call, line.program_line.line, *prepared.unit,
+                      prepared.unit->begin);
     return done;
 }
 
@@ -72,7 +73,8 @@ Outcome Calls::call_section(CompiledLine& line, const ControlStatement& statemen
                      run_.frame->site});
     done = begin(line, prepared);
     if (goes_on(done))
-        run_.show_way(WayTaken::Kind::Call, line, *prepared.unit, prepared.from->line);
+        run_.show_way(WayTaken::Kind::Call, line.program_line.line, *prepared.unit,
+                      prepared.from->line);
     return done;
 }
 
@@ -140,7 +142,8 @@ Outcome Calls::begin(CompiledLine& line, const PreparedCall& call) {
                              quoted("N" + std::to_string(call.start)));
         }
         callee->here = found.line;
-        if (!call.is_modal) run_.show_way(WayTaken::Kind::Jump, line, *call.unit, found.line);
+        if (!call.is_modal)
+            run_.show_way(WayTaken::Kind::Jump, line.program_line.line, *call.unit, found.line);
     }
     if (call.from) callee->here = call.from->line;
     if (saves || call.is_shape) callee->modal_before = run_.lines.modes().modal();

@@ -66,7 +66,7 @@ Outcome Jumps::jump(CompiledLine& line, const ControlStatement& statement) {
     const Outcome done = find_target(line, statement, target, found);
     if (!goes_on(done) || !found) return done;
     warn_of_twin(line, statement.target.span, target, *found);
-    run_.show_way(WayTaken::Kind::Jump, line, *run_.frame->unit, found->line);
+    run_.show_way(WayTaken::Kind::Jump, line.program_line.line, *run_.frame->unit, found->line);
     return go(line, *found, statement.span);
 }
 
@@ -367,7 +367,7 @@ Outcome Jumps::repeat_section(CompiledLine& line, const ControlStatement& statem
     if (!run_.count_turn())
         return run_.fail(line, diag::EndlessLoop, statement.span,
                          {std::to_string(run_.options.max_turns)});
-    run_.show_way(WayTaken::Kind::Repeat, line, *run_.frame->unit, begin.line);
+    run_.show_way(WayTaken::Kind::Repeat, line.program_line.line, *run_.frame->unit, begin.line);
     run_.frame->repeats.push_back(repeat);
     run_.frame->goes_on = begin.line;
     return Outcome::Nothing;

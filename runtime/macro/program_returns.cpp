@@ -58,7 +58,7 @@ Outcome Returns::leave(CompiledLine& line, const ControlStatement& statement, Bl
             target->label.empty() ? "N" + std::to_string(target->number) : target->label;
         if (fault != ProgramMap::Fault::None)
             return run_.fail(line, fault, diag::JumpTargetMissing, statement.span, quoted(what));
-        run_.show_way(WayTaken::Kind::Jump, line, *next.unit, found.line);
+        run_.show_way(WayTaken::Kind::Jump, line.program_line.line, *next.unit, found.line);
         if (behind.number > 0) found.line = found.next;
         run_.frame->returns_to = found;
     }
@@ -137,7 +137,9 @@ Outcome Returns::return_in_main(CompiledLine& line, const ControlStatement& stat
     const std::uint64_t passes = run_.options.passes.value_or(1);
     if (is_jump || is_own_loop() || ++passes_done_ < passes) {
         if (!target) run_.frame->text.has_content = false;
-        if (target) run_.show_way(WayTaken::Kind::Jump, line, *run_.frame->unit, found.line);
+        if (target)
+            run_.show_way(WayTaken::Kind::Jump, line.program_line.line, *run_.frame->unit,
+                          found.line);
         return run_.jumps.go(line, found, statement.span);
     }
     if (!run_.options.passes) {

@@ -44,7 +44,7 @@ struct TextUse {
     enum class Kind : std::uint8_t {
         Call,     // a program or a section runs, then the text goes on
         Jump,     // the program goes on there
-        Repeat,   // a section from there on, or up to there, runs once more
+        Repeat,   // a section from there on, or up to there, runs once more, or is a cycle's shape
         Read,     // of a variable; of a Macro its text
         Write,    // of a variable
         Mention,  // of a program without a call: its own head, a declaration of what it takes

@@ -33,9 +33,10 @@ void ShapeCalls::follow(const Block& block, std::string_view text, const Program
     const auto argument_of = [&](int parameter) -> std::int64_t {
         return std::llround(block.argument(*call, static_cast<std::size_t>(parameter), -1));
     };
+    // It stays until another is named, for the cycles behind that name none themselves.
     if (names_contour(cycle)) {
-        const std::optional<std::size_t> kind = nc::find_parameter(cycle.parameters, "kind");
-        return keep_contour(block, kind ? argument_of(static_cast<int>(*kind)) : -1);
+        named_ = contour_named_by(block, cycle);
+        return;
     }
     if (names_shape(cycle)) return follow_named_shape(block, text, line);
     if (!cycle.takes_shape()) return;
@@ -61,6 +62,8 @@ void ShapeCalls::follow(const Block& block, std::string_view text, const Program
     const bool is_next = begin.line.offset >= run_.frame->here.offset &&
                          run_.map().finds_nothing_between(run_.frame->here, begin.line) &&
                          !is_followed;
+    run_.show_way(WayTaken::Kind::Repeat, line.line, *run_.frame->unit, begin.line);
+    run_.show_way(WayTaken::Kind::Repeat, line.line, *run_.frame->unit, end.line);
     run_.frame->repeats.push_back(
         {begin.line, end.next, is_next ? end.next : run_.frame->here, 1, true});
     run_.frame->here = begin.line;
@@ -91,40 +94,10 @@ void ShapeCalls::follow_modal(const Block& block) {
     follow_named_shape(shape.block, shape.text, shape.program_line);
 }
 
-namespace {
-
-std::vector<std::string> parts_of(std::string_view text) {
-    std::vector<std::string> parts;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find(':'), text.size());
-        if (end > 0) parts.emplace_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return parts;
-}
-
-}  // namespace
-
-/// Of the cycles behind that name no contour themselves; it stays until another is named.
-void ShapeCalls::keep_contour(const Block& block, std::int64_t kind) {
-    named_ = NamedContour{parts_of(block.text), std::max<std::int64_t>(kind, 0)};
-}
-
 /// The contour along which a cycle works: the one that it names, or the one that was named before.
-ShapeCalls::NamedContour ShapeCalls::contour_of(const Block& block) const {
-    NamedContour contour;
-    if (block.text.empty() && named_) {
-        contour = *named_;
-    } else {
-        contour.parts = parts_of(block.text);
-        contour.kind = static_cast<std::int64_t>(
-            contour.parts.size() == 2 ? ContourSource::Labels : ContourSource::Program);
-    }
-    if (contour.kind == static_cast<std::int64_t>(ContourSource::Named) && !contour.parts.empty()) {
-        const std::string name = contour.parts[0];
-        contour.parts = {std::string(kContourBegin) + name, std::string(kContourEnd) + name};
-    }
-    return contour;
+NamedContour ShapeCalls::contour_of(const Block& block) const {
+    if (block.text.empty() && named_) return with_labels(*named_);
+    return contour_named_by(block, run_.dialect.cycles()[block.cycle]);
 }
 
 /// The blocks of a shape that a cycle names: those of a program, or those between two labels of the
@@ -138,7 +111,7 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
         run_.end();
     };
     NamedContour contour = contour_of(block);
-    const auto kind = static_cast<ContourSource>(contour.kind);
+    const ContourSource kind = contour.kind;
     PreparedCall call;
     call.is_shape = true;
     call.site = std::make_shared<nc::CallSite>(
@@ -156,6 +129,8 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
                 diag::ProgramMissing,
                 quoted(name.empty() ? text : nc::shown_program(run_.language.calls, name)));
         if (!contour.parts.empty()) contour.parts.erase(contour.parts.begin());
+        if (!block.text.empty() && !modal_)
+            run_.show_way(WayTaken::Kind::Call, line.line, *call.unit, call.unit->begin);
     }
     if (kind == ContourSource::Program) {
         run_.modal_calls.make_due(std::move(call));
@@ -173,6 +148,10 @@ void ShapeCalls::follow_named_shape(const Block& block, std::string_view text_of
     }
     call.from = begin;
     call.to = end.next;
+    if (!block.text.empty() && !modal_) {
+        run_.show_way(WayTaken::Kind::Repeat, line.line, *call.unit, begin.line);
+        run_.show_way(WayTaken::Kind::Repeat, line.line, *call.unit, end.line);
+    }
     run_.modal_calls.make_due(std::move(call));
 }
 

@@ -2,6 +2,7 @@
 // stand in the program or in another one.
 #pragma once
 
+#include "macro/named_shape.h"
 #include "macro/outcome.h"
 #include "macro/program_frame.h"
 
@@ -28,13 +29,7 @@ class ShapeCalls {
         std::string text;
         ProgramLine program_line;
     };
-    /// Of the cycles that name none: parts of a text, and which they are.
-    struct NamedContour {
-        std::vector<std::string> parts;
-        std::int64_t kind = 0;
-    };
     void keep_modal_shape(const nc::Block& block, std::string_view text, const ProgramLine& line);
-    void keep_contour(const nc::Block& block, std::int64_t kind);
     NamedContour contour_of(const nc::Block& block) const;
     void follow_named_shape(const nc::Block& block, std::string_view text, const ProgramLine& line);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "macro/line_compiler.h"
+#include "macro/named_shape.h"
 #include "macro/program_run.h"
 #include "nc/control_words.h"
 
@@ -13,6 +14,15 @@ namespace kadr::macro {
 
 using nc::CallForm;
 using nc::Statement;
+
+namespace {
+
+/// Whether calls of the cycle name blocks, labels or programs.
+bool has_shape(const nc::CycleInfo& cycle) {
+    return cycle.takes_shape() || names_shape(cycle) || names_contour(cycle);
+}
+
+}  // namespace
 
 nc::SymbolTable shared(const nc::SymbolTable& symbols) {
     nc::SymbolTable out;
@@ -25,12 +35,14 @@ nc::SymbolTable shared(const nc::SymbolTable& symbols) {
 
 TextScan::TextScan(const nc::Dialect& dialect, ScannedText& out, NamesOfProgram names,
                    const nc::MachineAxisNames* axis_names)
-    : tables_(dialect.tables()),
+    : dialect_(dialect),
+      tables_(dialect.tables()),
       out_(out),
       axis_names_(axis_names),
       lines_(dialect, out.references.file, nobody_),
       uses_(tables_, out),
-      common_(std::move(names)) {}
+      common_(std::move(names)),
+      has_shapes_(std::ranges::any_of(dialect.cycles(), has_shape)) {}
 
 void TextScan::read(nc::LineSource& source, std::uint64_t mark, const LinePosition& main) {
     mark_ = mark;
@@ -93,7 +105,7 @@ void TextScan::take_block(std::string_view line, const ProgramLine& place) {
     if (expanded) text = expanded->text;
     text = lines_.without_head(text);
     block_.reset();
-    if (!takes_blocks_ && lines_.read_plain(text, block_)) return;
+    if (!takes_blocks_ && lines_.read_plain(text, block_) && !calls_shape(block_)) return;
     if (lines_.check_kind(text) != nc::LineReader::LineKind::Words) return;
     compile({text, place, byte_of(place), numbered ? &*numbered : nullptr,
              expanded ? &*expanded : nullptr});
@@ -124,10 +136,24 @@ void TextScan::compile(const ReadLine& line) {
     if (fault || has_words || !code_.statements.empty()) lines_.bounds().note_content();
     if (fault) return keep_lost_names(line);
     uses_.take(line, code_, own_);
+    if (has_shapes_ && has_words && code_.statements.empty()) take_shape(line);
     follow_modal_calls();
     const auto names =
         std::ranges::find(code_.statements, Statement::NameVariables, &nc::ControlStatement::kind);
     if (names != code_.statements.end()) numbers_.define(tables_.language, names->name);
+}
+
+/// A block that calls a cycle along a shape, if nothing of it is computed.
+void TextScan::take_shape(const ReadLine& line) {
+    if (!code_.computed.empty() || !code_.axes.empty() || !code_.codes.empty()) return;
+    block_.reset();
+    if (!lines_.read_words(line.text, code_, {}, block_) || !calls_shape(block_)) return;
+    uses_.take_shape(line, code_, block_, dialect_.cycles()[block_.cycle]);
+}
+
+bool TextScan::calls_shape(const nc::Block& block) const {
+    if (!has_shapes_ || block.find(nc::Function::Cycle) == nullptr) return false;
+    return has_shape(dialect_.cycles()[block.cycle]);
 }
 
 /// Names that a wrong declaration should have declared: lines that use them are no mistakes.

@@ -38,6 +38,8 @@ class TextScan {
     void take_block(std::string_view line, const ProgramLine& place);
     void take_label(std::string_view line, const ProgramLine& place);
     void compile(const ReadLine& line);
+    void take_shape(const ReadLine& line);
+    bool calls_shape(const nc::Block& block) const;
     void keep_lost_names(const ReadLine& line);
     void follow_modal_calls();
     void begin_program(const LinePosition& begin);
@@ -47,6 +49,7 @@ class TextScan {
         return place.line.offset + (place.line.offset == 0 ? mark_ : 0);
     }
 
+    const nc::Dialect& dialect_;
     const nc::DialectTables& tables_;
     ScannedText& out_;
     const nc::MachineAxisNames* axis_names_;
@@ -61,6 +64,7 @@ class TextScan {
     VariableNumbers numbers_;  // names that stand for them, in all programs
     LinePosition main_;
     std::uint64_t mark_ = 0;
+    const bool has_shapes_;      // cycles may name blocks, labels or programs
     bool takes_blocks_ = false;  // blocks are arguments of a modal call
 };
 

@@ -794,7 +794,7 @@ class Control : public testing::TestWithParam<Case> {
     static void TearDownTestSuite() {
         const auto& all = *testing::UnitTest::GetInstance();
         if (all.test_to_run_count() != all.total_test_count()) return;
-        EXPECT_GT(compared_ways, 600u);
+        EXPECT_GT(compared_ways, 800u);
     }
     static inline std::size_t compared_ways = 0;
 };
