@@ -251,6 +251,74 @@ TEST(LongText, KeepsWhatIsNamed) {
     EXPECT_EQ(blocks[2].range.line, 5u);
 }
 
+References references_of(const std::string& dialect, const fs::path& file) {
+    HeldText text(read_file(file.string()).value());
+    driver::ProgramFolders files({(kFolder / dialect / "called").string()});
+    ReferenceOptions options;
+    options.files = &files;
+    return find_references(dialect_named(dialect), text, file.string(), options);
+}
+
+std::vector<std::string> shown(const std::vector<NameOccurrence>& occurrences) {
+    std::vector<std::string> all;
+    for (const NameOccurrence& each : occurrences)
+        all.push_back(std::to_string(each.text) + ':' + std::to_string(each.range.line) +
+                      (each.is_declaration ? " declared" : ""));
+    return all;
+}
+
+/// A caller and the file that it calls mean the same name by the same place.
+TEST(SeveralTexts, ShareNames) {
+    struct Row {
+        const char* dialect;
+        const char* caller;
+        const char* called;
+        std::vector<std::string> places;
+    };
+    for (const Row& row :
+         {Row{"sinumerik", "repeats.mpf", "POCK.SPF", {"1:1 declared"}},
+          Row{"sinumerik", "shapes.mpf", "POCK.SPF", {"0:2", "0:9", "1:1 declared"}},
+          Row{"fanuc", "calls.nc", "PART_17", {"0:23", "1:2 declared"}},
+          Row{"fanuc-lathe", "calls.nc", "O9100.NC", {"0:3", "1:1 declared"}}}) {
+        SCOPED_TRACE(row.called);
+        const fs::path folder = kFolder / row.dialect;
+        const std::vector<References> texts = {
+            references_of(row.dialect, folder / row.caller),
+            references_of(row.dialect, folder / "called" / row.called)};
+        const TextDeclaration& program = texts[1].declarations[0];
+        const auto place = declaration_at(texts[1], program.range.begin);
+        ASSERT_TRUE(place.has_value());
+        EXPECT_EQ(place->kind, TextDeclaration::Kind::Program);
+        EXPECT_EQ(shown(occurrences_of(texts, *place)), row.places);
+    }
+}
+
+/// What a called text calls may stand in the text that was begun with.
+TEST(SeveralTexts, LookIntoTheOneThatWasBegunWith) {
+    HeldText main("O0001\nM98 P2\nM30\nO0003\nM99\n");
+    HeldText called("O0002\nM98 P3\nM98 P4\nM99\n");
+    ReferenceOptions options;
+    options.main = &main;
+    options.main_name = "main";
+    const References references =
+        find_references(dialect_named("fanuc"), called, "called", options);
+    ASSERT_EQ(references.uses.size(), 2u);
+    const auto target = target_of(references, references.uses[0]);
+    ASSERT_TRUE(target.has_value());
+    EXPECT_EQ(target->file, "main");
+    EXPECT_EQ(target->range, (TextRange{18, 22, 4}));
+    EXPECT_EQ(references.uses[1].outcome, TextUse::Outcome::Missing);
+}
+
+TEST(Twins, AreMarked) {
+    HeldText text("AA: X1\nAA: X2\nBB: X3\nGOTOB AA\n%_N_SUB_SPF\nAA: X4\n");
+    const References references = find_references(dialect_named("sinumerik"), text, "MAIN.MPF");
+    std::string twins;
+    for (const TextDeclaration& each : references.declarations)
+        if (each.is_twin) twins += each.name + ' ' + std::to_string(each.range.line) + ' ';
+    EXPECT_EQ(twins, "AA 2 ");
+}
+
 /// A random text of blocks, labels, heads and ends of programs.
 std::string random_text(std::mt19937& random) {
     const std::vector<std::string> lines = {"N1 X1", "N2 X2",       "AA: X3",      "BB: X4",
