@@ -253,7 +253,8 @@ TEST(LongText, KeepsWhatIsNamed) {
 
 References references_of(const std::string& dialect, const fs::path& file) {
     HeldText text(read_file(file.string()).value());
-    driver::ProgramFolders files({(kFolder / dialect / "called").string()});
+    const std::string called = (kFolder / dialect / "called").string();
+    driver::ProgramFolders files({called}, test::quiet_session(called));
     ReferenceOptions options;
     options.files = &files;
     return find_references(dialect_named(dialect), text, file.string(), options);

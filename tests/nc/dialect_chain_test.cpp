@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/text.h"
+#include "base/disk_files.h"
 
 namespace kadr::nc::dialect_chain_test {
 namespace {
