@@ -131,11 +131,13 @@ void LineUses::take_call_by_text(const ControlStatement& statement) {
 
 void LineUses::take_return(const ControlStatement& statement) {
     const bool is_code = !code_->calls.empty();
-    if (statement.target.kind != nc::JumpTarget::Kind::None)
+    if (statement.target.kind != nc::JumpTarget::Kind::None) {
         aim(Kind::Jump, Rule::OfReturn, statement.target);
-    else if (is_code && code_->calls[statement.call].target.is_given)
+    } else if (is_code && code_->calls[statement.call].target.is_given) {
         aim_at_number(Kind::Jump, Rule::OfReturn, code_->calls[statement.call].target);
-    else return;
+    } else {
+        return;
+    }
     // One that leaves several programs goes on in a caller of a caller.
     const bool is_computed = out_.references.uses.back().outcome == TextUse::Outcome::Computed;
     if (statement.count.is_given() && !is_computed)

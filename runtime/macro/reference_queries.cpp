@@ -99,9 +99,10 @@ std::vector<OutlineRow> outline_of(const References& references) {
         if (each.kind == Declared::Label)
             rows.push_back({RowKind::Label, each.name, each.range, each.program});
     }
-    for (const TextUse& use : references.uses)
+    for (const TextUse& use : references.uses) {
         if (use.kind == TextUse::Kind::Call)
             rows.push_back({RowKind::Call, use.name, use.range, use.program});
+    }
     std::ranges::stable_sort(rows, {}, [](const OutlineRow& row) { return row.range.begin; });
     return rows;
 }
@@ -243,22 +244,24 @@ std::vector<std::string> names_at(const nc::Dialect& dialect, nc::TextSource& te
         const bool is_own = each.program == program;
         const bool is_variable =
             each.kind == Declared::Variable || each.kind == Declared::Parameter;
-        if (is_program ? each.kind == Declared::Program
-            : is_value ? is_own && is_variable
-                       : is_own && each.kind == Declared::Label &&
-                             is_in_direction(trial.open(), each.range, cursor))
-            add(each.name);
+        const bool is_target = is_own && each.kind == Declared::Label &&
+                               is_in_direction(trial.open(), each.range, cursor);
+        const bool fits = is_program ? each.kind == Declared::Program
+                          : is_value ? is_own && is_variable
+                                     : is_target;
+        if (fits) add(each.name);
     }
-    for (const NamedPlace& each : references.outside)
-        if (is_program ? each.kind == Declared::Program
-                       : is_value && each.kind == Declared::Variable)
-            add(each.name);
+    for (const NamedPlace& each : references.outside) {
+        const bool fits = is_program ? each.kind == Declared::Program
+                                     : is_value && each.kind == Declared::Variable;
+        if (fits) add(each.name);
+    }
     if (is_program && files != nullptr)
         for (const std::string& name : files->names(dialect)) add(name);
-    if (!is_program && !is_value && is_number)
-        for (const TextDeclaration& each :
-             blocks_of(dialect, text, references, program, kMostBlocks))
-            if (is_in_direction(trial.open(), each.range, cursor)) add(each.name);
+    if (is_program || is_value || !is_number) return {names.begin(), names.end()};
+    for (const TextDeclaration& each : blocks_of(dialect, text, references, program, kMostBlocks)) {
+        if (is_in_direction(trial.open(), each.range, cursor)) add(each.name);
+    }
     return {names.begin(), names.end()};
 }
 

@@ -62,10 +62,12 @@ void TextScan::read(nc::LineSource& source, std::uint64_t mark, const LinePositi
 
 void TextScan::take_line(std::string_view line, const ProgramLine& place) {
     const nc::CallLanguage& calls = tables_.language.calls;
-    if (!calls.headers.empty() && nc::program_of_header(calls, line, tables_.notation.ignores_case))
-        take_head(line, place.line);
-    else if (std::ranges::find(tables_.program.end, line) != tables_.program.end.end())
-        out_.index.note_end(place.line);
+    const bool is_head =
+        !calls.headers.empty() &&
+        nc::program_of_header(calls, line, tables_.notation.ignores_case).has_value();
+    const std::vector<std::string>& ends = tables_.program.end;
+    if (is_head) take_head(line, place.line);
+    else if (std::ranges::find(ends, line) != ends.end()) out_.index.note_end(place.line);
     lines_.begin(place.line.line);
     take_block(line, place);
 }
@@ -189,9 +191,10 @@ void TextScan::begin_program(const LinePosition& begin) {
                          begin == main_};
     TextDeclaration declaration;
     declaration.program = program.declaration;
-    if (out_.programs.empty())
+    if (out_.programs.empty()) {
         declaration.name = nc::program_of_path(tables_.language.calls, out_.references.file,
                                                tables_.notation.ignores_case);
+    }
     declaration.lines.begin = begin.offset;
     declaration.lines.line = begin.line;
     declaration.range = {begin.offset, 0, begin.line};
@@ -227,9 +230,10 @@ namespace {
 /// The numbers of the blocks at which something aims.
 std::set<std::int64_t> aimed_numbers(const ScannedText& scanned) {
     std::set<std::int64_t> numbers;
-    for (const OpenUse& use : scanned.open)
-        if (use.rule != OpenUse::Rule::Program && use.target.label.empty())
-            numbers.insert(use.target.number);
+    for (const OpenUse& use : scanned.open) {
+        const bool is_block = use.rule != OpenUse::Rule::Program && use.target.label.empty();
+        if (is_block) numbers.insert(use.target.number);
+    }
     return numbers;
 }
 

@@ -95,12 +95,16 @@ class FileEntries {
             if (form.name == "form") add_word(form.text, form.text_range, name->value);
     }
 
+    static void add_words(const XmlElement& element, std::string_view name,
+                          std::set<std::string>& out) {
+        const XmlAttribute* const words = element.find(name);
+        if (words == nullptr) return;
+        for (const XmlWord& word : words_of(*words)) out.insert(word.text);
+    }
+
     void take_removed(const XmlElement& element) {
-        for (const char* const what : {"commands", "cycles"})
-            if (const XmlAttribute* const names = element.find(what))
-                for (const XmlWord& word : words_of(*names)) spelled_.insert(word.text);
-        if (const XmlAttribute* const names = element.find("addresses"))
-            for (const XmlWord& word : words_of(*names)) removed_.insert(word.text);
+        for (const char* const what : {"commands", "cycles"}) add_words(element, what, spelled_);
+        add_words(element, "addresses", removed_);
     }
 
     /// The word in front of a spelling, up to a blank, a bracket or a hole; a hole alone is none.
