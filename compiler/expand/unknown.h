@@ -6,7 +6,7 @@
 
 namespace kadr::expand {
 
-/// Which statement has made the position of an axis unknown, if one did.
+/// Adds a note which statement has made the position of an axis unknown, if one did.
 void report_lost_position(const Running& run, DiagnosticBuilder& builder, std::size_t axis);
 /// Reports that a block needs what nobody knows.
 ///
@@ -29,24 +29,25 @@ void compensation_chosen(Running& run, DiagnosticBuilder builder);
 Done require_feed_mode(Running& run, std::uint32_t at);
 /// What S means is known.
 Done require_speed_mode(Running& run, std::uint32_t at);
-/// What may have been left out, in a block of its own before a cycle that the control has itself.
+/// Writes what may have been left out, in a block of its own before a cycle that the control has
+/// itself.
 void say_again_alone(Running& run, SourceId source, std::uint32_t at, std::size_t depth);
-/// What X is, with the first block that moves or that sets another state.
+/// Adds what X is to the first block that moves or that sets another state.
 void say_diameter(Running& run, nc::Block& block);
-/// What X is, in a block of its own.
+/// Writes what X is, in a block of its own.
 void say_diameter_alone(Running& run, SourceId source, std::uint32_t at, std::size_t depth);
-/// A block that turns while nothing tells whether X is a diameter.
+/// Warns of a block that turns while nothing tells whether X is a diameter.
 void warn_of_radius(Running& run, const nc::Block& block, std::uint32_t at);
 /// Checks what the block needs of the modal state, and programs again what may have been left
 /// out.
 Done settle_unknown(Running& run, nc::Block& block, std::uint32_t at);
 /// Completes a message of a spindle in doubt: which block is the operator's choice.
 void warn_of_choice(Running& run, DiagnosticBuilder builder);
-/// What raw text in a cycle may have changed is set back where the cycle ends.
+/// Sets back what raw text in a cycle may have changed, where the cycle ends.
 Done keep_promise(Running& run, const OpenWith& promise, std::uint32_t at);
 /// Warns once of blocks behind the end of the program.
 void warn_after_end(Running& run, std::uint32_t at);
-/// An arc's center is not its start.
+/// Reports an arc whose center is its start.
 Done require_radius(Running& run, const nc::Block& block, std::uint32_t at);
 
 }  // namespace kadr::expand
