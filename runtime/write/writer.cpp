@@ -43,7 +43,7 @@ bool Writer::has_started() const { return state_->has_started; }
 
 std::uint32_t Writer::write(const Block& block, std::string& out) {
     State& s = *state_;
-    if (block.kind != Block::Kind::Comment) write_start(out);
+    if (!s.has_started && block.kind != Block::Kind::Comment) write_start(out);
     return s.blocks.write(block, out);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "base/disk_files.h"
@@ -58,6 +59,7 @@ struct Talk {
     std::vector<std::string> breaks;
     std::vector<std::string> until;
     std::vector<std::string> answers;
+    bool reads_json = false;  // and nobody answers
 
     std::string perform() const {
         std::string words;
@@ -76,11 +78,13 @@ struct Talk {
         job.outputs.erase("--summary");
         job.onlooker.say = [&words](std::string_view text) { words += text; };
         std::size_t next = 0;
-        job.onlooker.ask = [&]() -> std::optional<std::string> {
+        job.onlooker.reads_json = reads_json;
+        const auto ask = [&]() -> std::optional<std::string> {
             if (next == answers.size()) return std::nullopt;
             words += "> " + answers[next] + '\n';
             return answers[next++];
         };
+        if (!reads_json) job.onlooker.ask = ask;
         const Status status = run(session, job);
         messages.finish();
         return words + "exit status " + std::to_string(static_cast<int>(status)) + '\n';
@@ -170,6 +174,45 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Conversations, ::testing::ValuesIn(all_scripts()), test_name);
+
+/// Nobody answers: what is reported, as one object; the line of the text where the statement makes
+/// one, else the statement.
+TEST(Reports, StopsOfAKadrProgramAsObjects) {
+    const ScratchFolder scratch;
+    const std::string program = scratch.file("report.kadr");
+    ASSERT_TRUE(
+        write_file_whole(program,
+                         "void go(length x) {\n    length twice = 2*x;\n    G0 X=twice;\n}\n"
+                         "program report() {\n    int n = 3;\n    go(2mm);\n}\n"));
+    struct Row {
+        const char* place;
+        const char* file;
+        int line;
+        const char* text;
+        const char* locals;
+    };
+    for (const Row& row :
+         {Row{":6", "report.kadr", 6, "    int n = 3;", "{}"},
+          Row{":2", "report.kadr", 2, "    length twice = 2*x;", R"({"x":"2 mm"})"},
+          Row{":3", "report.mpf", 3, "N20 G0 X4", R"({"twice":"4 mm","x":"2 mm"})"},
+          Row{":7", "report.mpf", 3, "N20 G0 X4", R"({"n":"3"})"},
+          Row{"go", "report.mpf", 3, "N20 G0 X4", R"({"x":"2 mm"})"},
+          Row{"report", "report.kadr", 6, "    int n = 3;", "{}"}}) {
+        SCOPED_TRACE(row.place);
+        Talk talk;
+        talk.program = program;
+        talk.breaks = {row.place};
+        talk.reads_json = true;
+        const std::string said = scratch.with_names(talk.perform());
+        const nlohmann::json stop = nlohmann::json::parse(
+            said.substr(said.find("{\"stopped\""), said.find("exit") - said.find("{\"stopped\"")));
+        EXPECT_EQ(stop["stopped"], "stopped before `" + std::string(row.place) + '`');
+        EXPECT_EQ(stop["file"], row.file);
+        EXPECT_EQ(stop["line"], row.line);
+        EXPECT_EQ(stop["text"], row.text);
+        EXPECT_EQ(stop["locals"].dump(), row.locals);
+    }
+}
 
 // ---------------------------------------------------------------- the engine as data
 
