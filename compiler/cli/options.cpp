@@ -9,9 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/disk_files.h"
 #include "base/numbers.h"
 #include "base/unicode.h"
-#include "base/disk_files.h"
 #include "driver/amount.h"
 #include "driver/operator_events.h"
 #include "driver/outputs.h"
