@@ -10,7 +10,7 @@
 
 #include "base/diagnostics/sema.h"
 #include "nc/frame_words.h"
-#include "sema/blocks.h"
+#include "sema/block_words.h"
 #include "sema/checking.h"
 #include "sema/with.h"
 
