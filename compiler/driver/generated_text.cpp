@@ -74,7 +74,7 @@ expand::ExpandOptions GeneratedText::expand_options(const TextAside& aside) cons
             .machine = [this] { return session_.machine(); },
             .checks_cutters = !options.has_stand_in_tools,
             .stop = options.stop,
-            .files = &session_.access(),
+            .access = &session_.access(),
             .shown = aside.is_only_looked_at ? nullptr : options.shown,
             .watch = aside.watch};
 }

@@ -51,7 +51,7 @@ std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main, 
         return std::nullopt;
     }
     sema::CheckOptions options = session.options().check;
-    options.files = &session.access();
+    options.access = &session.access();
     options.keeps_names = keeps_names;
     options.is_over = [&session] { return session.deadline().is_over(); };
     sema::CheckResult result = sema::check(*ast, *dialect, *program.modules, session.sources(),

@@ -70,7 +70,7 @@ struct ExpandOptions {
     std::function<bool(const DiagnosticRow&, const SourceRange&)> is_allowed = nullptr;
     std::vector<nc::Refusal>* refusals = nullptr;  // gets forms of cycles that do not fit a call
     const std::atomic<bool>* stop = nullptr;  // set from outside: the evaluation ends with an error
-    FileAccess* files = nullptr;  // knows which tables and images may be read; null: none
+    FileAccess* access = nullptr;  // knows which tables and images may be read; null: none
     std::vector<std::string>* shown = nullptr;  // gets the values that the code shows; null: nobody
     StatementWatch* watch =
         nullptr;  // is shown every statement, if the code has names; with `trace`

@@ -91,7 +91,7 @@ Done read_image(Running& run, const sema::PictureSource& source, Slot path, std:
                 Slot* image) {
     const std::optional<sema::Picture> picture =
         sema::read_picture(source.folder, run.vm.heap.text(path.integer), run.code.locations[at],
-                           run.options.files, run.sink);
+                           run.options.access, run.sink);
     if (!picture) {
         run.status.fail();
         return kFailed;
@@ -104,7 +104,7 @@ Done read_table(Running& run, const sema::TableSchema& schema, Slot path, std::u
                 Slot& table) {
     const std::optional<sema::TableRows> rows =
         sema::read_table(schema, run.code.enums, run.vm.heap.text(path.integer),
-                         run.code.locations[at], run.options.files, run.sink);
+                         run.code.locations[at], run.options.access, run.sink);
     if (!rows) {
         run.status.fail();
         return kFailed;

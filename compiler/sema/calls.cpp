@@ -668,7 +668,7 @@ Value image_call(Check& check, const Expr& expr) {
     if (path.is_constant()) {
         const std::string name = check.code->texts[static_cast<std::size_t>(path.constant.integer)];
         std::optional<Picture> picture = read_picture(
-            source.folder, name, check.ast()[argument].range, check.options.files, check.sink);
+            source.folder, name, check.ast()[argument].range, check.options.access, check.sink);
         if (!picture) return error_value();
         source.picture = std::move(*picture);
         check.emit.emit_pair(OpCode::LoadImage, reg, 0, 0, index);
@@ -741,7 +741,7 @@ Value table(Check& check, const Expr& expr) {
     if (path.is_constant()) {
         const std::string name = check.code->texts[static_cast<std::size_t>(path.constant.integer)];
         std::optional<TableRows> rows = read_table(schema, enums, name, check.ast()[argument].range,
-                                                   check.options.files, check.sink);
+                                                   check.options.access, check.sink);
         if (!rows) return error_value();
         check.emit.emit_pair(OpCode::LoadTable, reg, 0, 0,
                              static_cast<std::int64_t>(check.code->tables.size()));

@@ -70,7 +70,7 @@ struct CheckOptions {
     /// The program of the main file that may call others as if they were cycles.
     std::string_view calls_programs;
     /// Knows which tables and images may be read; null: none.
-    FileAccess* files = nullptr;
+    FileAccess* access = nullptr;
     /// Whether the command has no time left; then there is no code, and whoever asked reports why.
     std::function<bool()> is_over = {};
     bool keeps_names = false;  // Code::names is filled

@@ -149,7 +149,7 @@ Checked check_program(const std::string& source, const RunOptions& options) {
     const bool was_read = !checked.messages->has_errors();
     if (was_read || options.with_broken_text) {
         sema::CheckOptions checking;
-        checking.files = &whole_disk();
+        checking.access = &whole_disk();
         checking.keeps_names = options.keeps_names;
         sema::CheckResult result = sema::check(parts->ast, dialect(options.source), *parts->modules,
                                                *checked.sources, *checked.messages, checking);
@@ -174,7 +174,7 @@ Outcome run(const std::string& source, const RunOptions& options) {
     if (checked.code) {
         outcome.code = sema::print(*checked.code);
         expand::ExpandOptions expanding = options.expand;
-        expanding.files = &whole_disk();
+        expanding.access = &whole_disk();
         expand::Expander expander(*checked.code, dialect(options.target), expanding,
                                   *checked.messages);
         if (expander.start(options.program, options.defines)) {
