@@ -142,22 +142,21 @@ Done GeneratedText::start(const Entry& entry) {
 }
 
 /// Of a text that is made in step: what was written at the start, then the lines of one block.
-std::string_view GeneratedText::next_block() {
+void GeneratedText::make_block() {
     if (has_given_head_) text_.clear();
     has_given_head_ = true;
     while (!is_at_end_ && text_.empty()) write_batch();
-    return text_;
+}
+
+/// The text of `start` is part of the first piece.
+void GeneratedText::make_piece() {
+    if (blocks_ > 0 || is_at_end_) text_.clear();
+    while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
 }
 
 std::string_view GeneratedText::next() {
-    if (aside_.watch != nullptr) {
-        if (tap_) tap_(next_block());
-        else next_block();
-        return text_;
-    }
-    // The text of `start` is part of the first piece.
-    if (blocks_ > 0 || is_at_end_) text_.clear();
-    while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
+    if (aside_.watch != nullptr) make_block();
+    else make_piece();
     if (!is_at_end_ && deadline_.is_over()) {
         is_late_ = is_at_end_ = true;
         expander_messages_.report(diag::TimeLimit, last_statement())

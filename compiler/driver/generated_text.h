@@ -124,7 +124,8 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
 
     expand::ExpandOptions expand_options(const TextAside& aside) const;
     void write_batch();
-    std::string_view next_block();
+    void make_block();
+    void make_piece();
     std::vector<Diagnostic::Note> calls_of_block(std::uint64_t number) const;
     bool is_in_library(const SourceRange& range) const;
     bool move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic::Note>& calls,
