@@ -457,6 +457,10 @@ void Execution::read_on(bool is_reached) {
     held_->release();
 }
 
+void Execution::finish_text() {
+    if (generated_) generated_->finish_piece();
+}
+
 void Execution::make_rest() {
     while (!generated_->next().empty())
         session_.report({.blocks = generated_->blocks(), .setpoints = 0, .time = 0});

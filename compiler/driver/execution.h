@@ -89,6 +89,8 @@ class Execution final : public Stream<path::Command> {
     void read_rest();
     /// Makes the text of a Kadr program to its end, whatever has stopped its execution.
     void make_rest();
+    /// Makes so much of it as would have been made if nobody had looked on.
+    void finish_text();
     /// Who gets the lines that a program of the control prints.
     void print_to(macro::PrintTarget& printer) { reader_->print_to(printer); }
 

@@ -146,6 +146,15 @@ void GeneratedText::make_block() {
     if (has_given_head_) text_.clear();
     has_given_head_ = true;
     while (!is_at_end_ && text_.empty()) write_batch();
+    piece_bytes_ += text_.size();
+    if (piece_bytes_ >= kPieceBytes) piece_bytes_ = 0;
+}
+
+void GeneratedText::finish_piece() {
+    if (aside_.watch == nullptr) return;
+    text_.clear();
+    while (!is_at_end_ && piece_bytes_ + text_.size() < kPieceBytes) write_batch();
+    if (tap_) tap_(text_);
 }
 
 /// The text of `start` is part of the first piece.

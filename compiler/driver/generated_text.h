@@ -63,6 +63,8 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     void warn_of_cuts(const Messages& messages);
 
     std::string_view next() override;
+    /// Of a text that is made block by block: the rest of what is made at once otherwise.
+    void finish_piece();
     bool is_phrase(std::uint64_t line) const override;
 
     /// Gets every piece of the text as it is made. To be set before `start`.
@@ -154,7 +156,8 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     SourceId last_source_;
     std::uint64_t statement_lines_ = 0;
     bool is_at_end_ = false;
-    bool has_given_head_ = false;  // of a text that is made block by block
+    bool has_given_head_ = false;  // of a text that is made block by block …
+    std::size_t piece_bytes_ = 0;  // … how much of what would be a piece otherwise
     Tap tap_;
     std::uint32_t body_lines_ = 0;
 };

@@ -141,6 +141,7 @@ class Run {
     bool wants(bool Wants::*what) const;
 
     void execute();
+    void end_debugging();
     motion::PlannerOptions planner_options();
     void see(motion::Segment& segment);
     void sample(Stream<motion::Segment>& segments, double tick);
@@ -283,7 +284,18 @@ void Run::execute() {
             .arg(block_name(event.number, event.line));
     report_events_ahead();
     if (lost_.count() > 0) session_.messages().report(diag::PrintLost).arg(lost_.count());
+    end_debugging();
     finish(figures(motion));
+}
+
+/// Shows once more where the run has ended. A program that came to its end by itself is evaluated
+/// as far behind it as it is without anybody who looks on: its errors there count.
+void Run::end_debugging() {
+    if (!debugger_) return;
+    const std::string& alarm = session_.messages().first_alarm();
+    debugger_->finish(alarm);
+    if (!debugger_->has_ended_run()) execution_->finish_text();
+    if (alarm.empty()) conversation_->warn_of_places();
 }
 
 /// What was to happen at a block or a time to which the run did not come.
@@ -374,10 +386,6 @@ RunFigures Run::figures(const process::PlannedMotion& motion) const {
 }
 
 void Run::finish(const RunFigures& figures) {
-    if (debugger_) {
-        debugger_->finish(figures.alarm);
-        if (figures.alarm.empty()) conversation_->warn_of_places();
-    }
     for (const OpenOutput& open : outputs_) open.output->finish(figures);
 }
 

@@ -74,7 +74,9 @@ bool DebugEngine::comes_to(const macro::WatchedLine& line) {
 }
 
 expand::StatementWatch::Answer DebugEngine::comes_to(std::uint32_t statement) {
-    if (has_ended_) return Answer::End;
+    if (is_finished_) return Answer::GoOn;
+    // Behind an alarm nothing is executed; the line that it is in may be read for its block only.
+    if (has_ended_ || execution_->reader().has_fault()) return Answer::End;
     if (waits_for_start()) return Answer::Again;
     const std::vector<expand::RunningCall> calls =
         execution_->generated()->expander().running_calls();
@@ -137,6 +139,7 @@ bool DebugEngine::stand(Stop stop, const Arrival& at) {
 }
 
 bool DebugEngine::has_ended() const {
+    if (is_finished_) return has_ended_;
     const GeneratedText* text = sees_statements_ ? execution_->generated() : nullptr;
     return has_ended_ || (text != nullptr && text->failed());
 }
@@ -151,6 +154,7 @@ void DebugEngine::end(StopReason why) {
 
 void DebugEngine::finish(const std::string& alarm) {
     steps_.end();
+    is_finished_ = true;
     const bool has_fault = !alarm.empty() || execution_->failed();
     if (!has_fault) return;
     ending_ = StopReason::Alarm;

@@ -43,8 +43,11 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
 
     /// Any thread may ask: it stands in front of what comes next.
     void pause() { wants_pause_ = true; }
-    /// The run has ended. `alarm`: that was why; empty: none.
+    /// The run has ended. `alarm`: that was why; empty: none. What is evaluated from here on,
+    /// nobody looks at.
     void finish(const std::string& alarm);
+    /// Whether who looks on has ended it.
+    bool has_ended_run() const { return has_ended_; }
     /// Why it has ended: Until, Alarm or End.
     StopReason ending() const { return ending_; }
 
@@ -84,6 +87,7 @@ class DebugEngine final : public macro::LineWatch, public expand::StatementWatch
     std::atomic<bool> wants_pause_ = false;
     bool sees_statements_ = false;
     bool has_ended_ = false;
+    bool is_finished_ = false;
     StopReason ending_ = StopReason::End;
     Stop last_;            // in front of what was executed last
     std::string program_;  // that the line before belongs to

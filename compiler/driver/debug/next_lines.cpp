@@ -39,7 +39,7 @@ std::optional<TraceStep> NextLines::line(std::uint32_t number) {
     if (source.is_valid() && source.index < program_.code->statements.size())
         step.statement = program_.code->statements[source.index];
     // Behind an error comes nothing but the end of a program.
-    else if (text_.failed()) return std::nullopt;
+    else if (text_.failed() && number > text_.body_lines()) return std::nullopt;
     if (const expand::BlockOrigin* calls = text_.calls_behind(number)) {
         step.has_calls = true;
         step.calls = *calls;
