@@ -29,48 +29,22 @@ bool is_still_so(const FileAnswer& answer, const Files& files) {
 }
 
 FileKind AskedFiles::kind_of(const std::string& path) const {
-    const FileKind kind = below_.kind_of(path);
+    const FileKind kind = below().kind_of(path);
     answers_.push_back({path, kind});
     return kind;
 }
 
 std::vector<FolderEntry> AskedFiles::list(const std::string& folder) const {
-    std::vector<FolderEntry> entries = below_.list(folder);
+    std::vector<FolderEntry> entries = below().list(folder);
     answers_.push_back({folder, entries});
     return entries;
 }
 
-std::string AskedFiles::real_path(const std::string& path) const { return below_.real_path(path); }
-
-std::optional<std::string> AskedFiles::link_target(const std::string& path) const {
-    return below_.link_target(path);
-}
-
-std::optional<Files::Identity> AskedFiles::identity_of(const std::string& path) const {
-    return below_.identity_of(path);
-}
-
 Result<std::string, ReadFault> AskedFiles::read(const std::string& path,
                                                 std::uint64_t most_bytes) const {
-    auto text = below_.read(path, most_bytes);
+    auto text = below().read(path, most_bytes);
     answers_.push_back({path, content_of(text)});
     return text;
-}
-
-std::unique_ptr<FileReader> AskedFiles::open(const std::string& path) const {
-    return below_.open(path);
-}
-
-std::unique_ptr<FileWriter> AskedFiles::create(const std::string& path) {
-    return below_.create(path);
-}
-
-std::string AskedFiles::why_unreadable(const std::string& path) const {
-    return below_.why_unreadable(path);
-}
-
-std::string AskedFiles::why_unwritable(const std::string& path) const {
-    return below_.why_unwritable(path);
 }
 
 }  // namespace kadr::driver

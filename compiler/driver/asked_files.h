@@ -2,11 +2,13 @@
 // tells whether what was made from them still holds.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "base/files.h"
+#include "base/forwarded_files.h"
 
 namespace kadr::driver {
 
@@ -22,28 +24,19 @@ struct FileAnswer {
 bool is_still_so(const FileAnswer& answer, const Files& files);
 
 /// Reads from another store. Loaders that make something which is kept read from this.
-class AskedFiles final : public Files {
+class AskedFiles final : public ForwardedFiles {
   public:
-    /// `below` outlives it.
-    explicit AskedFiles(Files& below) : below_(below) {}
+    using ForwardedFiles::ForwardedFiles;
 
     /// What was asked since the last call.
     std::vector<FileAnswer> take_answers() { return std::exchange(answers_, {}); }
 
     FileKind kind_of(const std::string& path) const override;
     std::vector<FolderEntry> list(const std::string& folder) const override;
-    std::string real_path(const std::string& path) const override;
-    std::optional<std::string> link_target(const std::string& path) const override;
-    std::optional<Identity> identity_of(const std::string& path) const override;
     Result<std::string, ReadFault> read(const std::string& path,
                                         std::uint64_t most_bytes) const override;
-    std::unique_ptr<FileReader> open(const std::string& path) const override;
-    std::unique_ptr<FileWriter> create(const std::string& path) override;
-    std::string why_unreadable(const std::string& path) const override;
-    std::string why_unwritable(const std::string& path) const override;
 
   private:
-    Files& below_;
     mutable std::vector<FileAnswer> answers_;
 };
 

@@ -9,13 +9,13 @@ namespace kadr {
 
 void OverlayFiles::put(const std::string& path, std::string text) {
     auto kept = std::make_shared<const std::string>(std::move(text));
-    const std::string real = below_.real_path(path);
+    const std::string real = below().real_path(path);
     const std::lock_guard lock(mutex_);
     texts_[real] = std::move(kept);
 }
 
 void OverlayFiles::remove(const std::string& path) {
-    const std::string real = below_.real_path(path);
+    const std::string real = below().real_path(path);
     const std::lock_guard lock(mutex_);
     texts_.erase(real);
 }
@@ -26,19 +26,19 @@ OverlayFiles::Text OverlayFiles::find(const std::string& path) const {
         const std::lock_guard lock(mutex_);
         if (texts_.empty()) return nullptr;
     }
-    const std::string real = below_.real_path(path);
+    const std::string real = below().real_path(path);
     const std::lock_guard lock(mutex_);
     const auto found = texts_.find(real);
     return found == texts_.end() ? nullptr : found->second;
 }
 
 FileKind OverlayFiles::kind_of(const std::string& path) const {
-    return find(path) != nullptr ? FileKind::File : below_.kind_of(path);
+    return find(path) != nullptr ? FileKind::File : below().kind_of(path);
 }
 
 std::vector<FolderEntry> OverlayFiles::list(const std::string& folder) const {
-    std::vector<FolderEntry> entries = below_.list(folder);
-    const std::string real = below_.real_path(folder.empty() ? "." : folder);
+    std::vector<FolderEntry> entries = below().list(folder);
+    const std::string real = below().real_path(folder.empty() ? "." : folder);
     const std::lock_guard lock(mutex_);
     for (const auto& [path, text] : texts_) {
         const std::filesystem::path file(path);
@@ -51,42 +51,22 @@ std::vector<FolderEntry> OverlayFiles::list(const std::string& folder) const {
     return entries;
 }
 
-std::string OverlayFiles::real_path(const std::string& path) const {
-    return below_.real_path(path);
-}
-
-std::optional<std::string> OverlayFiles::link_target(const std::string& path) const {
-    return below_.link_target(path);
-}
-
-std::optional<Files::Identity> OverlayFiles::identity_of(const std::string& path) const {
-    return below_.identity_of(path);
-}
-
 Result<std::string, ReadFault> OverlayFiles::read(const std::string& path,
                                                   std::uint64_t most_bytes) const {
     const Text text = find(path);
-    if (text == nullptr) return below_.read(path, most_bytes);
+    if (text == nullptr) return below().read(path, most_bytes);
     if (text->size() > most_bytes) return ReadFault{ReadFault::Kind::TooLarge, {}};
     return std::string(*text);
 }
 
 std::unique_ptr<FileReader> OverlayFiles::open(const std::string& path) const {
     Text text = find(path);
-    if (text == nullptr) return below_.open(path);
+    if (text == nullptr) return below().open(path);
     return std::make_unique<MemoryReader>(std::move(text));
 }
 
-std::unique_ptr<FileWriter> OverlayFiles::create(const std::string& path) {
-    return below_.create(path);
-}
-
 std::string OverlayFiles::why_unreadable(const std::string& path) const {
-    return find(path) != nullptr ? std::string() : below_.why_unreadable(path);
-}
-
-std::string OverlayFiles::why_unwritable(const std::string& path) const {
-    return below_.why_unwritable(path);
+    return find(path) != nullptr ? std::string() : below().why_unreadable(path);
 }
 
 }  // namespace kadr

@@ -4,16 +4,15 @@
 #include <map>
 #include <mutex>
 
-#include "base/files.h"
+#include "base/forwarded_files.h"
 
 namespace kadr {
 
 /// An editor's texts are read instead of the files that they will become. What is written goes
 /// through to the store below. Threads may share it.
-class OverlayFiles final : public Files {
+class OverlayFiles final : public ForwardedFiles {
   public:
-    /// `below` outlives it.
-    explicit OverlayFiles(Files& below) : below_(below) {}
+    using ForwardedFiles::ForwardedFiles;
 
     /// What an editor shows at this path, from now on; the file need not exist.
     void put(const std::string& path, std::string text);
@@ -22,15 +21,10 @@ class OverlayFiles final : public Files {
 
     FileKind kind_of(const std::string& path) const override;
     std::vector<FolderEntry> list(const std::string& folder) const override;
-    std::string real_path(const std::string& path) const override;
-    std::optional<std::string> link_target(const std::string& path) const override;
-    std::optional<Identity> identity_of(const std::string& path) const override;
     Result<std::string, ReadFault> read(const std::string& path,
                                         std::uint64_t most_bytes) const override;
     std::unique_ptr<FileReader> open(const std::string& path) const override;
-    std::unique_ptr<FileWriter> create(const std::string& path) override;
     std::string why_unreadable(const std::string& path) const override;
-    std::string why_unwritable(const std::string& path) const override;
 
   private:
     using Text = std::shared_ptr<const std::string>;
@@ -38,7 +32,6 @@ class OverlayFiles final : public Files {
     /// The text over this path; null: none.
     Text find(const std::string& path) const;
 
-    Files& below_;
     mutable std::mutex mutex_;
     std::map<std::string, Text> texts_;  // by real path
 };
