@@ -2,9 +2,9 @@
 #include "sema/with.h"
 
 #include "base/diagnostics/sema.h"
-#include "sema/blocks.h"
 #include "sema/block_fillings.h"
 #include "sema/block_words.h"
+#include "sema/blocks.h"
 #include "sema/calls.h"
 #include "sema/checking.h"
 #include "sema/expressions.h"
