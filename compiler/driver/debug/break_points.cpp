@@ -25,8 +25,9 @@ bool is_name(std::string_view text) {
     });
 }
 
-/// `rows.kadr` is what `parts/rows.kadr` may be called.
+/// `rows.kadr` is what `parts/rows.kadr` may be called, `./rows.kadr` too.
 bool is_file(std::string_view file, std::string_view called) {
+    while (called.starts_with("./")) called.remove_prefix(2);
     if (file.empty() || !file.ends_with(called)) return false;
     return file.size() == called.size() || file[file.size() - called.size() - 1] == '/';
 }

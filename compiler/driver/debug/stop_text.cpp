@@ -114,11 +114,25 @@ std::string state_lines(const TraceState& now) {
     return out;
 }
 
+namespace {
+
+/// A value in one line: the ends of lines in a text as they are written in a source.
+std::string in_one_line(std::string_view value) {
+    std::string out;
+    for (const char c : printable(value)) {
+        if (c == '\n') out += "\\n";
+        else out += c;
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string variable_lines(const std::vector<Variable>& variables, std::string_view part) {
     std::string out;
     for (const Variable& variable : variables) {
         if (!std::string_view(variable.name).starts_with(part)) continue;
-        out += variable.type + ' ' + variable.name + " = " + printable(variable.value) + '\n';
+        out += variable.type + ' ' + variable.name + " = " + in_one_line(variable.value) + '\n';
     }
     return out;
 }
