@@ -15,10 +15,6 @@ using nc::Span;
 using nc::Statement;
 using Rule = OpenUse::Rule;
 
-bool ReadLine::is_replaced(const Span& span) const {
-    return expanded != nullptr && expanded->word_at(span.begin) != nullptr;
-}
-
 TextRange ReadLine::range(Span span) const {
     if (expanded != nullptr) span = expanded->written(span);
     if (numbered != nullptr) span = numbered->written(span);

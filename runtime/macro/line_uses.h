@@ -17,7 +17,6 @@ struct ReadLine {
     const ReplacedText* numbered = nullptr;  // its names stand for numbers; null: it has none
     const ReplacedText* expanded = nullptr;  // … then its words for text; null: it has none
 
-    bool is_replaced(const nc::Span& span) const;
     TextRange range(nc::Span span) const;
 };
 

@@ -10,32 +10,16 @@
 
 #include "base/diagnostics/driver.h"
 #include "macro/program_run.h"
+#include "nc/held_text.h"
 
 namespace kadr::macro {
 
 using nc::Block;
 using nc::Function;
+using nc::HeldText;
 using nc::Statement;
 
 namespace {
-
-/// A text that is all there, and can be read again.
-class HeldText final : public nc::TextSource {
-  public:
-    explicit HeldText(std::string text) : text_(std::move(text)) {}
-    std::string_view next() override {
-        const std::size_t from = std::exchange(at_, text_.size());
-        return std::string_view(text_).substr(from);
-    }
-    bool seek(std::uint64_t offset) override {
-        at_ = std::min<std::size_t>(offset, text_.size());
-        return true;
-    }
-
-  private:
-    std::string text_;
-    std::size_t at_ = 0;
-};
 
 /// A block that writes data and moves nothing.
 bool writes_data(const Block& block) {

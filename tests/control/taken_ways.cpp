@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "driver/program_files.h"
 #include "macro/reference_queries.h"
+#include "nc/held_text.h"
 #include "nc/tables.h"
 #include "tests/common/inputs.h"
 
@@ -22,25 +23,7 @@ using macro::References;
 using macro::TextDeclaration;
 using macro::TextUse;
 using macro::WayTaken;
-
-/// A text that is all there.
-class HeldText final : public nc::TextSource {
-  public:
-    explicit HeldText(std::string text) : text_(std::move(text)) {}
-    std::string_view next() override {
-        const std::size_t from = std::exchange(at_, text_.size());
-        return std::string_view(text_).substr(from);
-    }
-    bool seek(std::uint64_t offset) override {
-        at_ = std::min<std::size_t>(offset, text_.size());
-        return true;
-    }
-    const std::string& all() const { return text_; }
-
-  private:
-    std::string text_;
-    std::size_t at_ = 0;
-};
+using nc::HeldText;
 
 /// The references of the texts of one run, as they are asked for.
 class Texts {

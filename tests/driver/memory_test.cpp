@@ -173,7 +173,7 @@ TEST_F(Memory, AnEditorsTextsLieOverTheFiles) {
     Command saved(inputs);
     EXPECT_EQ(saved.check(part), Status::Done) << saved.heard();
     // The imported file is being edited; the name reaches it by another path.
-    editor.put(kWork + "/../work/own.kadr", "cycle hop(length up) { G0 Z=up; }\n");
+    editor.put(kWork + "/sub/../own.kadr", "cycle hop(length up) { G0 Z=up; }\n");
     Command edited(inputs);
     EXPECT_EQ(edited.check(part), Status::Failed);
     EXPECT_NE(edited.heard().find("`hop` has no parameter `to`"), std::string::npos)

@@ -17,36 +17,16 @@
 #include "driver/program_files.h"
 #include "macro/reference_queries.h"
 #include "macro/target_index.h"
+#include "nc/held_text.h"
 #include "tests/common/inputs.h"
 
 namespace kadr::macro::references_test {
 namespace {
 
 namespace fs = std::filesystem;
+using nc::HeldText;
 
 const fs::path kFolder = fs::path(KADR_ROOT) / "tests/macro/references";
-
-/// A text that is all there, and can be read again; in pieces of any size.
-class HeldText final : public nc::TextSource {
-  public:
-    explicit HeldText(std::string text, std::size_t piece = ~std::size_t{0})
-        : text_(std::move(text)), piece_(piece) {}
-    std::string_view next() override {
-        const std::size_t from = at_;
-        at_ = from + std::min(text_.size() - from, piece_);
-        return std::string_view(text_).substr(from, at_ - from);
-    }
-    bool seek(std::uint64_t offset) override {
-        at_ = std::min<std::size_t>(offset, text_.size());
-        return true;
-    }
-    const std::string& all() const { return text_; }
-
-  private:
-    std::string text_;
-    std::size_t piece_;
-    std::size_t at_ = 0;
-};
 
 const nc::Dialect& dialect_named(const std::string& name) {
     static std::map<std::string, nc::Dialect> loaded;
