@@ -156,6 +156,7 @@ class Parser {
     void add_reading(CLI::App& command);
     void add_writing(CLI::App& command);
     void add_solve(CLI::App& machine);
+    void add_cycles(CLI::App& command);
     void add_expansion(CLI::App& command);
     void add_output(CLI::App& command, const driver::OutputRow& row);
     void check_settings() const;
@@ -290,10 +291,18 @@ void Parser::add_call(CLI::App& command) {
         ->type_name("ARGUMENTS");
 }
 
+void Parser::add_cycles(CLI::App& command) {
+    command
+        .add_option(
+            "--cycles", cycles_,
+            "the control's own cycles, modal where calls are equal; each call by itself; or "
+            "single moves")
+        ->check(one_of({"native", "calls", "moves"}))
+        ->type_name("native|calls|moves");
+}
+
 void Parser::add_expansion(CLI::App& command) {
-    command.add_option("--cycles", cycles_, "the control's own cycles, or single moves")
-        ->check(one_of({"native", "moves"}))
-        ->type_name("native|moves");
+    add_cycles(command);
     command.add_flag("--verbose-modal", line_.options.verbose_modal, "repeat modal words");
     add_limits(command);
     for (const driver::OutputRow& row : driver::output_rows()) {
@@ -407,9 +416,7 @@ void Parser::add_compare() {
     add_search(*command);
     add_inputs(*command);
     add_program(*command);
-    command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
-        ->check(one_of({"native", "moves"}))
-        ->type_name("native|moves");
+    add_cycles(*command);
     add_limits(*command);
     command->add_option("--summary", summary_, "for a person or for a program")
         ->check(one_of({"text", "json"}))
@@ -445,9 +452,7 @@ void Parser::add_test() {
         ->type_name("name=value")
         ->allow_extra_args(false);
     add_include(*command);
-    command->add_option("--cycles", cycles_, "the control's own cycles, or single moves")
-        ->check(one_of({"native", "moves"}))
-        ->type_name("native|moves");
+    add_cycles(*command);
 }
 
 void Parser::add_format() {
@@ -535,7 +540,8 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     if (!max_input_.empty()) options.max_input = parse_size(max_input_, "--max-input");
     if (!max_output_.empty()) options.max_output = parse_size(max_output_, "--max-output");
     if (!max_time_.empty()) options.max_time = parse_time(max_time_, "--max-time");
-    options.native_cycles = cycles_ == "native";
+    options.native_cycles = cycles_ != "moves";
+    options.modal_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;
     line_.expand.map = line_.run.value_of("--map");
     if (!threads_.empty()) line_.run.threads = threads_ == "on";

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <optional>
 #include <span>
 #include <utility>
 
+#include "base/assert.h"
 #include "base/diagnostics/dialect.h"
 #include "base/diagnostics/expand.h"
 #include "driver/source_map.h"
@@ -58,7 +58,14 @@ GeneratedText::GeneratedText(Session& session, const KadrProgram& program,
       line_map_(std::make_unique<LineMap>()),
       call_map_(aside.keeps_calls ? std::make_unique<CallMap>() : nullptr),
       batch_(aside.watch != nullptr ? 1 : kBlocksAtOnce),
-      deadline_(session.options().max_time, nullptr) {}
+      deadline_(session.options().max_time, nullptr) {
+    // Who looks on sees each block where it is made.
+    const Options& options = session.options();
+    if (aside.watch != nullptr || !options.modal_cycles || options.verbose_modal) return;
+    groups_.emplace(target, writer_, [this](const nc::Block& block, std::uint64_t number) {
+        write_block(block, number);
+    });
+}
 
 GeneratedText::~GeneratedText() = default;
 
@@ -159,7 +166,7 @@ void GeneratedText::finish_piece() {
 
 /// The text of `start` is part of the first piece.
 void GeneratedText::make_piece() {
-    if (blocks_ > 0 || is_at_end_) text_.clear();
+    if (made_.taken > 0 || is_at_end_) text_.clear();
     while (!is_at_end_ && text_.size() < kPieceBytes) write_batch();
 }
 
@@ -207,33 +214,63 @@ void GeneratedText::write_batch() {
     if (count == 0 && aside_.watch != nullptr && expander_.is_waiting())
         return writer_.write_start(text_);
     if (count > 0) last_source_ = batch_[count - 1].source;
-    std::optional<std::size_t> sound;  // length of the text before the first block with an error
-    for (std::size_t i = 0; i < count; ++i, ++blocks_) {
-        // Behind an error the rest is looked at for errors only, and the end is written below.
-        if (writer_.failed() && ends_program(batch_[i])) continue;
-        const std::uint32_t before = writer_.lines();
-        const std::size_t length = text_.size();
-        const std::uint32_t first = writer_.write(batch_[i], text_);
-        if (writer_.failed() && !sound) sound = length;
-        // What was modal already gets no line, and the line before belongs to another statement.
-        if (writer_.lines() == before) continue;
-        line_map_->add(first, writer_.lines(), batch_[i].source);
-        if (has_phrase(target_.tables(), batch_[i])) {
-            for (std::uint32_t line = first; line <= writer_.lines(); ++line)
-                phrases_.push_back(line);
-        }
-        if (batch_[i].source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
-        if (aside_.map != nullptr) map_block(i, first);
-        if (call_map_) call_map_->add(first, writer_.lines(), expander_.trace(i));
+    sound_.reset();
+    made_.batch_begin = made_.taken;
+    for (std::size_t i = 0; i < count; ++i, ++made_.taken) {
+        if (!groups_ || groups_->lets_pass(batch_[i])) write_block(batch_[i], made_.taken);
+        else groups_->take(batch_[i], made_.taken);
     }
+    keep_origins_of_held();
     is_at_end_ = count == 0 || failed();
     if (!is_at_end_) return;
+    if (groups_) groups_->finish();
     body_lines_ = writer_.lines();
     // Nobody executes what has its error already.
-    if (sound) text_.resize(*sound);
+    if (sound_) text_.resize(*sound_);
     // Who looks on sees where it has ended, not the end of the program.
     const bool is_cut = aside_.watch != nullptr && (aside_.watch->has_ended() || failed());
     if (!is_cut) writer_.end(text_);
+}
+
+/// number  of the block among those of the expander
+void GeneratedText::write_block(const nc::Block& block, std::uint64_t number) {
+    // Behind an error the rest is looked at for errors only, and the end is written apart.
+    if (writer_.failed() && ends_program(block)) return;
+    const std::uint32_t before = writer_.lines();
+    const std::size_t length = text_.size();
+    made_.writing = number;
+    const std::uint32_t first = writer_.write(block, text_);
+    if (writer_.failed() && !sound_) sound_ = length;
+    // What was modal already gets no line, and the line before belongs to another statement.
+    if (writer_.lines() == before) return;
+    line_map_->add(first, writer_.lines(), block.source);
+    if (has_phrase(target_.tables(), block)) {
+        for (std::uint32_t line = first; line <= writer_.lines(); ++line) phrases_.push_back(line);
+    }
+    if (block.source.is_valid()) statement_lines_ += writer_.lines() + 1 - first;
+    if (aside_.map != nullptr) map_block(number, first);
+    if (call_map_) call_map_->add(first, writer_.lines(), origin_of(number));
+}
+
+bool GeneratedText::keeps_origins() const { return aside_.map != nullptr || call_map_; }
+
+/// Of a block of this batch, or of one that was held back from an earlier one.
+const expand::BlockOrigin& GeneratedText::origin_of(std::uint64_t number) const {
+    if (number >= made_.batch_begin) return expander_.trace(number - made_.batch_begin);
+    const auto held = std::ranges::find(held_origins_, number, &HeldOrigin::number);
+    KADR_ASSERT(held != held_origins_.end(), "a block that is held back keeps its origin");
+    return held->origin;
+}
+
+/// The next batch takes the place of the origins of this one.
+void GeneratedText::keep_origins_of_held() {
+    if (!groups_ || !keeps_origins()) return;
+    std::erase_if(held_origins_,
+                  [&](const HeldOrigin& held) { return !groups_->holds(held.number); });
+    for (std::uint64_t number = made_.batch_begin; number < made_.taken; ++number) {
+        if (groups_->holds(number))
+            held_origins_.push_back({number, expander_.trace(number - made_.batch_begin)});
+    }
 }
 
 /// The expander is ahead of the writer and keeps no calls, which would cost every program. An error
@@ -302,7 +339,7 @@ void GeneratedText::ExpanderMessages::take(Diagnostic diagnostic) {
 
 void GeneratedText::WriterMessages::take(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::Error && diagnostic.range.file.is_valid()) {
-        std::vector<Diagnostic::Note> calls = text_.calls_of_block(text_.blocks_);
+        std::vector<Diagnostic::Note> calls = text_.calls_of_block(text_.made_.writing);
         if (text_.move_to_call(diagnostic, calls, "this statement makes the block")) {
             if (diagnostic.range == last_call_ && diagnostic.row == last_row_) return;
             last_call_ = diagnostic.range;
@@ -313,9 +350,9 @@ void GeneratedText::WriterMessages::take(Diagnostic diagnostic) {
     sink_.take(std::move(diagnostic));
 }
 
-void GeneratedText::map_block(std::size_t index, std::uint32_t line) {
+void GeneratedText::map_block(std::uint64_t number, std::uint32_t line) {
     entry_.clear();
-    append_map_entry(entry_, {line, writer_.lines() + 1 - line}, expander_.trace(index), session_);
+    append_map_entry(entry_, {line, writer_.lines() + 1 - line}, origin_of(number), session_);
     aside_.map->write(entry_);
 }
 

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "expand/expander.h"
 #include "nc/phrases.h"
 #include "nc/reader.h"
+#include "write/cycle_groups.h"
 #include "write/writer.h"
 
 namespace kadr::driver {
@@ -84,7 +86,7 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     /// A message about a line that is still known comes to the statement that wrote it, or where
     /// the library was called that did; the line becomes a note.
     void move_to_statement(Diagnostic& diagnostic) const;
-    std::uint64_t blocks() const { return blocks_; }
+    std::uint64_t blocks() const { return made_.taken; }
     /// Lines that were made so far.
     std::uint32_t made_lines() const { return writer_.lines(); }
     /// Whether the lines with which a program begins are among them.
@@ -132,7 +134,11 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     bool is_in_library(const SourceRange& range) const;
     bool move_to_call(Diagnostic& diagnostic, std::vector<Diagnostic::Note>& calls,
                       const char* words) const;
-    void map_block(std::size_t index, std::uint32_t line);
+    void write_block(const nc::Block& block, std::uint64_t number);
+    bool keeps_origins() const;
+    const expand::BlockOrigin& origin_of(std::uint64_t number) const;
+    void keep_origins_of_held();
+    void map_block(std::uint64_t number, std::uint32_t line);
     SourceRange last_statement() const;
 
     Session& session_;
@@ -149,8 +155,19 @@ class GeneratedText final : public nc::TextSource, public nc::PhraseText {
     std::vector<nc::Block> batch_;
     std::string text_;
     std::string entry_;
-    std::uint64_t blocks_ = 0;            // written
-    std::vector<std::uint32_t> phrases_;  // lines, rising; few programs have any
+    struct MadeBlocks {
+        std::uint64_t taken = 0;        // blocks of the expander so far
+        std::uint64_t batch_begin = 0;  // … before this batch
+        std::uint64_t writing = 0;      // number of the one that is being written
+    } made_;
+    std::optional<write::CycleGroups> groups_;  // nothing: calls stay as they are
+    struct HeldOrigin {
+        std::uint64_t number;
+        expand::BlockOrigin origin;
+    };
+    std::vector<HeldOrigin> held_origins_;  // of blocks that wait in groups_
+    std::optional<std::size_t> sound_;      // length of the text before the first error in it
+    std::vector<std::uint32_t> phrases_;    // lines, rising; few programs have any
     Deadline deadline_;
     bool is_late_ = false;
     SourceId last_source_;

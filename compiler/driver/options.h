@@ -43,6 +43,7 @@ struct Options {
     std::uint64_t max_input = Files::kMostBytes;        // bytes of a file that is read whole
     std::uint64_t max_output = std::uint64_t{4} << 30;  // … of all outputs together
     bool native_cycles = true;            // cycles as the control's own where it has them
+    bool modal_cycles = true;             // … equal calls of them as one modal call
     bool verbose_modal = false;           // repeat modal words in the text
     std::uint64_t max_blocks = 0;         // blocks after which expanding and executing are cut;
                                           // 0: kMaxBlocks made, any number executed

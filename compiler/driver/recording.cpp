@@ -134,6 +134,7 @@ Recording::Knowledge Recording::knowledge_at(std::uint32_t line) const {
 }
 
 void Recording::finish() {
+    std::uint32_t last_line = 0;  // of the motion before
     for (const motion::Segment& segment : segments_) {
         time_ += segment.duration;
         if (!motion::is_motion(segment.kind)) {
@@ -144,7 +145,10 @@ void Recording::finish() {
         (is_rapid ? rapid_time_ : cutting_time_) += segment.duration;
         if (segment.is_rotary_only) continue;
         (is_rapid ? rapid_length_ : cutting_length_) += path::arc_length(segment.curve);
-        const Knowledge known = knowledge_at(segment.line);
+        Knowledge known = knowledge_at(segment.line);
+        // A cycle moves from the position to which its block has brought the tool.
+        if (segment.cycle != 0 && segment.line == last_line) known.before = known.after;
+        last_line = segment.line;
         moves_.push_back({segment.curve, is_rapid, known.before, known.after, segment.source});
     }
     segments_.clear();

@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "base/text.h"
 #include "write/block_writer.h"
+#include "write/cycle_groups.h"
 
 namespace kadr::write {
 
@@ -65,12 +66,7 @@ bool BlockWriter::has_feed_word(const Block& block, const Choice& choice,
                                 const Invocation& cycle) const {
     const FormId id = choice.forms[static_cast<std::size_t>(&cycle - block.functions.data())];
     if (id == kNoForm) return false;
-    const Form& form = tables_.forms[id];
-    const auto is_feed = [&](const FormWord& word) {
-        return word.kind == FormWord::Kind::Value &&
-               tables_.addresses[word.address].slot == static_cast<int>(Slot::Feed);
-    };
-    return std::ranges::any_of(form.words, is_feed) || std::ranges::any_of(form.lead, is_feed);
+    return text_.has_feed_word(tables_.forms[id]);
 }
 
 /// Words that a tool change left for the block that moves the tool axis, or programs a function.
@@ -145,8 +141,26 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
                                              [](LineChoice p) { return p == LineChoice::Here; });
     if (!has_all) write_apart(block, items, choices, false, out);
     lines_.open(block.skip_level, true, out);
+    // Where the cycle is called, an operator reads behind its code, before its depth.
+    const bool has_position = (block.given & kTargetSlots) != 0 && is_modal_call(block);
+    const auto is_position = [&](const Item& item) {
+        return has_position && words_of(tables_, item) == nullptr &&
+               (bit(item.slot) & kTargetSlots) != 0;
+    };
     for (std::size_t i = 0; i < items.count; ++i) {
-        if (choices[i] == LineChoice::Here) words_.append_item(block, items.list[i], targets, out);
+        const Item& item = items.list[i];
+        if (choices[i] != LineChoice::Here || is_position(item)) continue;
+        const bool is_cycle = has_position && item.form != kNoForm &&
+                              tables_.forms[item.form].function == Function::Cycle;
+        if (!is_cycle) {
+            words_.append_item(block, item, targets, out);
+            continue;
+        }
+        const std::span<const FormWord> words = tables_.forms[item.form].words;
+        words_.append_words(block, words.first(1), item.invocation, false, out);
+        for (const Item& position : items.all())
+            if (is_position(position)) words_.append_item(block, position, targets, out);
+        words_.append_words(block, words.subspan(1), item.invocation, false, out);
     }
     lines_.end_block(out);
     if (!block.comment.empty() && fits) lines_.append_comment(block.comment, out);
@@ -154,15 +168,23 @@ void BlockWriter::write_items(const Block& block, Items& items, const Targets& t
     for (std::size_t i = 0; i < items.count; ++i) {
         const Item& item = items.list[i];
         if (item.form == kNoForm || choices[i] != LineChoice::Here) continue;
-        for (const std::vector<FormWord>& line : tables_.forms[item.form].extra) {
-            lines_.open(block.skip_level, true, out);
-            words_.append_words(block, line, item.invocation, false, out);
-            lines_.end_block(out);
-            lines_.close(out);
-            note_line(line);
-        }
+        const Form& form = tables_.forms[item.form];
+        // They end a modal cycle, which goes on.
+        if (form.function == Function::Cycle && is_modal_call(block)) continue;
+        write_further_lines(form, block, item.invocation, out);
     }
     if (!has_all) write_apart(block, items, choices, true, out);
+}
+
+void BlockWriter::write_further_lines(const Form& form, const Block& block,
+                                      const Invocation* invocation, std::string& out) {
+    for (const std::vector<FormWord>& line : form.extra) {
+        lines_.open(block.skip_level, true, out);
+        words_.append_words(block, line, invocation, false, out);
+        lines_.end_block(out);
+        lines_.close(out);
+        note_line(line);
+    }
 }
 
 /// The words that stand in lines before the block's, or behind it.

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "write/arc_blocks.h"
 #include "write/arc_targets.h"
+#include "write/cycle_groups.h"
 #include "write/frame_turns.h"
 
 namespace kadr::write {
@@ -193,6 +194,7 @@ BlockWriter::Written BlockWriter::straighten(const Block& block, std::string& ou
 }
 
 void BlockWriter::write_block(const Block& block, std::string& out, Whole whole) {
+    if (rules_.modal_cycles && ends_cycle(block)) return close_cycle(out);
     if (write_other_arc(block, whole, out) == Written::Already ||
         write_thread(block, out) == Written::Already)
         return;
@@ -209,7 +211,7 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     }
 
     Items items;
-    restore_modal(block, choice, items);
+    if (!open_cycle_) restore_modal(block, choice, items);
     collect_functions(block, choice, items);
     if (modal_.text_of(Group::Diameter) != diameter) state_.change_diameter(diameter);
     const Function motion = text_.effective_motion(block);
@@ -226,7 +228,9 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
                             (!probes && (block.given & (kTargetSlots | kCenterSlots)) != 0);
     if (has_motion) {
         const bool is_new = modal_.text_of(Group::Motion) != motion;
-        if (motion != Function::None &&
+        // Where a cycle is modal, a code of the motion would end it.
+        const bool is_of_cycle = rules_.modal_cycles && (open_cycle_ || is_modal_call(block));
+        if (motion != Function::None && !is_of_cycle &&
             (is_new || (options_.verbose_modal && block.motion != Function::None))) {
             add_code(block, motion, items);
         }
@@ -241,8 +245,8 @@ void BlockWriter::write_block(const Block& block, std::string& out, Whole whole)
     }
     for (std::size_t i = 0; i < state_.pending().size(); ++i)
         state_.set_offset(i, own_offset(choice, state_.pending()[i], block));
-    if (block.find(Function::Cycle) != nullptr) leave_cycle(block, choice, out);
     if (block.function_count == 0) return;
+    follow_cycle(block, choice, out);
     state_.follow(block);
     if (block.find(Function::Message) != nullptr) check_message(block);
 }
@@ -426,6 +430,10 @@ void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std:
         if (!choice.is_open(i)) continue;
         const Form& form = tables_.forms[choice.forms[i]];
         const Invocation& invocation = block.functions[i];
+        const bool moves =
+            block.motion != Function::None || (block.given & (kTargetSlots | kCenterSlots)) != 0;
+        if (form.owns_axes && moves)
+            messages_.cannot_express(block, quoted(info(form.function).name) + " beside a move");
         write_before(form, block, out);
         if (is_shift_standing(form, block, invocation)) {
             choice.finish(i);
@@ -494,14 +502,9 @@ void BlockWriter::write_before(const Form& form, const Block& block, std::string
 /// A cycle that begins at the position of the tool axis needs the axis to be there.
 void BlockWriter::write_initial_level(const Form& form, const Block& block,
                                       const Invocation& invocation, std::string& out) {
-    const auto level_at = static_cast<std::size_t>(form.implied[0]);
-    if ((invocation.given >> level_at & 1u) == 0) return;
-    const double level = block.argument(invocation, level_at);
+    if (is_at_level(form, block, invocation)) return;
+    const double level = block.argument(invocation, static_cast<std::size_t>(form.implied[0]));
     const std::size_t axis = text_.plane_axes()[2];
-    const double half_increment = 0.5 * std::pow(10.0, -text_.decimals(static_cast<Slot>(axis)));
-    const bool is_there =
-        text_.is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
-    if (is_there) return;
     const Function motion = modal_.meant_of(Group::Motion);
     Block move;
     move.source = block.source;
@@ -525,7 +528,9 @@ void BlockWriter::collect_functions(const Block& block, const Choice& choice, It
             if (!form.is_verbatim && !chooser_.is_suppressed(needed))
                 add_code(block, needed, items);
         }
-        items.add(Item::of_form(form.order, choice.forms[i], &block.functions[i]));
+        // The word that makes a call modal stands in front of the call.
+        const int order = form.function == Function::CycleModal ? 0 : form.order;
+        items.add(Item::of_form(order, choice.forms[i], &block.functions[i]));
     }
 }
 

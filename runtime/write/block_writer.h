@@ -3,6 +3,7 @@
 // For writer.cpp, which puts the frame of the program around it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -23,6 +24,8 @@ class BlockWriter {
     BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
 
     const WriterModal& modal() const { return state_.modal(); }
+    std::array<std::size_t, 3> plane_axes() const { return text_.plane_axes(); }
+    bool is_ready_for(const Block& cycle, const Block& move) const;
     void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
         messages_.set_statements(statements, sources);
     }
@@ -70,6 +73,12 @@ class BlockWriter {
     void write_pitch(const Form& form, const Block& block, const Invocation& invocation,
                      std::string& out);
     void leave_cycle(const Block& block, const Choice& choice, std::string& out);
+    bool ends_cycle(const Block& block) const;
+    void follow_cycle(const Block& block, const Choice& choice, std::string& out);
+    void close_cycle(std::string& out);
+    void write_further_lines(const Form& form, const Block& block, const Invocation* invocation,
+                             std::string& out);
+    bool is_at_level(const Form& form, const Block& block, const Invocation& invocation) const;
     double cycle_speed(const Block& block, const Invocation& invocation) const;
     Function spindle_behind(const Form& form, const Block& block,
                             const Invocation& invocation) const;
@@ -116,6 +125,12 @@ class BlockWriter {
     FormChooser chooser_;
     FastMoves fast_;
     IdleLines idle_;
+    /// A cycle that is called at the positions which follow, until `cycle_modal` stands alone.
+    struct OpenCycle {
+        Block block;
+        Choice choice;
+    };
+    std::optional<OpenCycle> open_cycle_;
 };
 
 }  // namespace kadr::write

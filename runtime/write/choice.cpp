@@ -65,7 +65,11 @@ Choice FormChooser::choose(const Block& block) {
             const auto function = static_cast<std::size_t>(invocation.function);
             if (tables_.given_with_others[function] != with_others || (choice.done >> i & 1u) != 0)
                 continue;
-            if (is_suppressed(invocation.function)) {
+            // Where cycles are modal by themselves, no word says it.
+            const bool has_no_word = invocation.function == Function::CycleModal &&
+                                     tables_.rules.modal_cycles &&
+                                     block.find(Function::Cycle) != nullptr;
+            if (has_no_word || is_suppressed(invocation.function)) {
                 choice.done |= 1u << i;
                 continue;
             }

@@ -1,7 +1,10 @@
 // The spindle and the feed around a cycle, and what is known behind it.
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "write/block_writer.h"
+#include "write/cycle_groups.h"
 
 namespace kadr::write {
 
@@ -69,6 +72,55 @@ void BlockWriter::leave_cycle(const Block& block, const Choice& choice, std::str
     }
     if (back.function_count == 0 && back.given == 0) return;
     write_block(back, out);
+}
+
+/// Whether the tool stands where the cycle wants to begin; true if it does not say where.
+bool BlockWriter::is_at_level(const Form& form, const Block& block,
+                              const Invocation& invocation) const {
+    const auto level_at = static_cast<std::size_t>(form.implied[0]);
+    if ((invocation.given >> level_at & 1u) == 0) return true;
+    const double level = block.argument(invocation, level_at);
+    const std::size_t axis = text_.plane_axes()[2];
+    const double half_increment = 0.5 * std::pow(10.0, -text_.decimals(static_cast<Slot>(axis)));
+    return text_.is_named(axis) && std::fabs(modal_.position.text[axis] - level) <= half_increment;
+}
+
+// ---------------------------------------------------------------- modal cycles
+
+bool BlockWriter::is_ready_for(const Block& cycle, const Block& move) const {
+    const auto waits_for_axis = [](const Pending& p) { return p.deferred->axis >= 0; };
+    if (std::ranges::any_of(state_.pending(), waits_for_axis) || modal_.edge.waiting != 0 ||
+        modal_.edge.is_length_due || modal_.edge.is_end_due)
+        return false;
+    return std::ranges::all_of(tables_.forms_of_cycle[cycle.cycle], [&](FormId id) {
+        const Form& form = tables_.forms[id];
+        if (move.has(Slot::Feed) && text_.has_feed_word(form)) return false;
+        return form.implied.empty() || is_at_level(form, cycle, cycle.functions[0]);
+    });
+}
+
+bool BlockWriter::ends_cycle(const Block& block) const {
+    return open_cycle_ && block.function_count == 1 &&
+           block.functions[0].function == Function::CycleModal;
+}
+
+/// Behind the lines of a block that is about a cycle.
+void BlockWriter::follow_cycle(const Block& block, const Choice& choice, std::string& out) {
+    if (is_modal_call(block)) open_cycle_ = OpenCycle{block, choice};
+    else if (block.find(Function::Cycle) != nullptr) leave_cycle(block, choice, out);
+    else if (ends_cycle(block)) close_cycle(out);
+}
+
+/// The lines that end the cycle, and what is said again behind it.
+void BlockWriter::close_cycle(std::string& out) {
+    const OpenCycle open = *std::exchange(open_cycle_, std::nullopt);
+    const Invocation* cycle = open.block.find(Function::Cycle);
+    const FormId id =
+        open.choice.forms[static_cast<std::size_t>(cycle - open.block.functions.data())];
+    if (id == kNoForm) return;
+    write_further_lines(tables_.forms[id], open.block, cycle, out);
+    leave_cycle(open.block, open.choice, out);
+    state_.follow(open.block);
 }
 
 }  // namespace kadr::write

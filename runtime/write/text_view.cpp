@@ -152,4 +152,12 @@ bool TextView::is_compensated() const {
     return has_fact(modal.text_of(Group::RadiusComp), Fact::CompSide);
 }
 
+bool TextView::has_feed_word(const Form& form) const {
+    const auto is_feed = [&](const FormWord& word) {
+        return word.kind == FormWord::Kind::Value &&
+               tables.addresses[word.address].slot == static_cast<int>(Slot::Feed);
+    };
+    return std::ranges::any_of(form.words, is_feed) || std::ranges::any_of(form.lead, is_feed);
+}
+
 }  // namespace kadr::write

@@ -67,6 +67,8 @@ struct TextView {
 
     /// Whether the number that would be written is in force already.
     bool is_standing(Slot slot, double value, const NumberInForce& standing) const;
+    /// Whether a word of the form is F: the pitch of a cycle, mostly.
+    bool has_feed_word(const Form& form) const;
     /// The form of a shift that stays, if a line with this code is one.
     const Form* kept_shift(AddressId address, double code) const;
 };

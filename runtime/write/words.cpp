@@ -70,7 +70,7 @@ void Words::append_edge(const Block& block, int edge, std::string& out) {
     append_words(words, form.words, invocation, false, out);
 }
 
-void Words::append_words(const Block& block, const std::vector<FormWord>& words,
+void Words::append_words(const Block& block, std::span<const FormWord> words,
                          const Invocation* invocation, bool remembers, std::string& out) {
     // Of words that keep their value, only those that change are written; one at least.
     std::uint32_t unchanged = 0;

@@ -5,6 +5,7 @@
 // stays with the text (text_state.h).
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +32,7 @@ class Words {
     void append_item(const Block& block, const Item& item, const Targets& targets,
                      std::string& out);
     /// remembers  whether the control keeps the values, so that only those that change are written
-    void append_words(const Block& block, const std::vector<FormWord>& words,
+    void append_words(const Block& block, std::span<const FormWord> words,
                       const Invocation* invocation, bool remembers, std::string& out);
     void append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out);
 

@@ -59,5 +59,10 @@ void Writer::end(std::string& out) {
 std::uint32_t Writer::lines() const { return state_->blocks.lines(); }
 bool Writer::failed() const { return state_->blocks.failed(); }
 const WriterModal& Writer::believed() const { return state_->blocks.modal(); }
+Function Writer::means(Group group) const { return believed().meant_of(group); }
+std::array<std::size_t, 3> Writer::plane_axes() const { return state_->blocks.plane_axes(); }
+bool Writer::is_ready_for(const Block& cycle, const Block& move) const {
+    return state_->blocks.is_ready_for(cycle, move);
+}
 
 }  // namespace kadr::write

@@ -5,6 +5,7 @@
 // value that cannot be written so is an error, never a wrong word.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -48,6 +49,13 @@ class Writer {
     bool failed() const;          // an error was reported
     /// What the text has written behind its last line, as far as the writer knows (modal.h).
     const WriterModal& believed() const;
+    /// The member of a modal group that acts for the program's blocks; None: not known.
+    Function means(Group group) const;
+    /// First, second and third axis of the working plane.
+    std::array<std::size_t, 3> plane_axes() const;
+    /// Whether the cycle can stand in one line with the move to its position: the tool is at its
+    /// level, nothing waits for a move along its axis, and no word would stand twice.
+    bool is_ready_for(const Block& cycle, const Block& move) const;
 
   private:
     struct State;

@@ -26,7 +26,8 @@ struct MadeControl {
 };
 inline const std::vector<MadeControl> kMadeControls = {
     {"haas", {"frames", "orientation", "probe"}},
-    {"heidenhain-iso", {"housing", "cycle_tap", "frames", "orientation", "probe"}},
+    {"heidenhain-iso",
+     {"housing", "hole_positions", "cycle_tap", "frames", "orientation", "probe"}},
 };
 
 /// A Kadr program and the machine that it is made for.

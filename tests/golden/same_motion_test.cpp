@@ -1,5 +1,5 @@
 // One source, every control, the same motion: what differs is only what the number formats round.
-// Native cycles and cycles written out as moves give the same motion too.
+// Native cycles, modal and call by call, and cycles written out as moves give the same motion too.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -287,7 +287,7 @@ TEST_P(SameAxes, WithLengthsAndWorkOffsets) {
     // Lengths and offsets of the machine act: the first place is X, Y of the first work offset.
     EXPECT_LT(reference[0]["to"]["X"].get<double>(), -300);
     for (const std::string& dialect : part.dialects()) {
-        for (const char* cycles : {"native", "moves"}) {
+        for (const char* cycles : {"native", "calls", "moves"}) {
             expect_same(reference, axis_moves_of(part, dialect, cycles),
                         dialect + ", cycles " + cycles);
         }
@@ -305,7 +305,7 @@ TEST_P(SameMotion, OnEveryControl) {
     const std::vector<json> reference = commands_of(GetParam(), "sinumerik", "moves");
     ASSERT_GT(reference.size(), 3u);
     for (const std::string& dialect : GetParam().dialects()) {
-        for (const char* cycles : {"native", "moves"}) {
+        for (const char* cycles : {"native", "calls", "moves"}) {
             expect_same(reference, commands_of(GetParam(), dialect, cycles),
                         dialect + ", cycles " + cycles);
         }
