@@ -57,6 +57,7 @@ Entry Bench::entry(const CallUnderTest& call) const {
     entry.name = function.name;
     entry.is_inch = function.units == sema::Units::Inch;
     entry.range = function.range;
+    entry.function = &function;
     entry.start = [&call](expand::Expander& expander) {
         expander.start_call(call);
         return kDone;

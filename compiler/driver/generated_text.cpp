@@ -11,6 +11,7 @@
 #include "base/diagnostics/expand.h"
 #include "driver/source_map.h"
 #include "nc/tables.h"
+#include "sema/used_functions.h"
 
 namespace kadr::driver {
 
@@ -99,6 +100,7 @@ Done GeneratedText::start() {
         entry.name = chosen->name;
         entry.is_inch = chosen->units == sema::Units::Inch;
         entry.range = chosen->range;
+        entry.function = chosen;
     }
     entry.start = [&](expand::Expander& expander) {
         return expander.start(options.program, options.defines);
@@ -144,6 +146,11 @@ Done GeneratedText::start(const Entry& entry) {
     info.is_inch = entry.is_inch;
     for (const sema::Plan& plan : program_.code->plans)
         info.greatest_number = std::max(info.greatest_number, std::int64_t{plan.number});
+    nc::FunctionSet used;
+    if (entry.function != nullptr) {
+        used = sema::used_functions(*program_.code, *entry.function);
+        info.used = &used;
+    }
     writer_.begin(info, text_);
     return kDone;
 }
@@ -243,6 +250,8 @@ void GeneratedText::write_block(const nc::Block& block, std::uint64_t number) {
     if (writer_.failed() && !sound_) sound_ = length;
     // What was modal already gets no line, and the line before belongs to another statement.
     if (writer_.lines() == before) return;
+    if (first > before + 1 && writer_.taken().is_valid())
+        line_map_->add(before + 1, first - 1, writer_.taken());
     line_map_->add(first, writer_.lines(), block.source);
     if (has_phrase(target_.tables(), block)) {
         for (std::uint32_t line = first; line <= writer_.lines(); ++line) phrases_.push_back(line);

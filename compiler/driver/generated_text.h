@@ -29,7 +29,8 @@ namespace kadr::driver {
 struct Entry {
     std::string name;  // of the ISO-7bit program
     bool is_inch = false;
-    SourceRange range;  // of the name
+    SourceRange range;                             // of the name
+    const sema::FunctionCode* function = nullptr;  // that begins; null: not known
     /// Called again if an error of the writer asks for the calls that led to it.
     std::function<Done(expand::Expander&)> start;
 };

@@ -36,12 +36,13 @@ std::string fault_of_template(std::string_view line) {
 }
 
 void check_line(const XmlElement& line, Attributes& attributes) {
-    const bool is_filled = line.name == "header" || line.name == "start" || line.name == "end";
+    const bool is_filled = line.name == "header" || line.name == "start" ||
+                           line.name == "section" || line.name == "end";
     const bool is_plain = line.name == "finish";
     std::string fault;
     if (is_filled) fault = fault_of_template(line.text);
     if (is_plain && line.text.find('{') != std::string::npos) {
-        fault = "only `header`, `start` and `end` are filled";
+        fault = "only `header`, `start`, `section` and `end` are filled";
     }
     if (line.name == "end" && (line.text.starts_with('{') || line.text.starts_with('[')))
         fault = "a reader knows the `end` line by what stands before its first placeholder";
@@ -58,6 +59,7 @@ void check_line(const XmlElement& line, Attributes& attributes) {
 void load_program(const XmlElement& element, ProgramTemplates& frame, Attributes& attributes) {
     frame.header.clear();
     frame.start.clear();
+    frame.section.clear();
     frame.finish.clear();
     frame.end.clear();
     frame.skipped.clear();
@@ -73,7 +75,11 @@ void load_program(const XmlElement& element, ProgramTemplates& frame, Attributes
     for (const XmlElement& line : element.children) {
         check_line(line, attributes);
         if (line.name == "header") frame.header.push_back(line.text);
-        if (line.name == "start") frame.start.push_back(line.text);
+        if (line.name == "start") {
+            frame.start.push_back({line.text, {}});
+            attributes.read_functions(line, "uses", frame.start.back().uses);
+        }
+        if (line.name == "section") frame.section.push_back(line.text);
         if (line.name == "finish") frame.finish.push_back(line.text);
         if (line.name == "end") frame.end.push_back(line.text);
         if (line.name == "skipped") frame.skipped.push_back(line.text);
@@ -105,8 +111,9 @@ void check_blocks(const XmlElement& element, const BlockNumbers& numbers, Attrib
 }  // namespace
 
 void load_blocks(const XmlElement& element, BlockNumbers& numbers, Attributes& attributes) {
-    if (const auto are_on = attributes.choice(element, "numbers", {"off", "on"})) {
+    if (const auto are_on = attributes.choice(element, "numbers", {"off", "on", "sections"})) {
         numbers.is_on = *are_on == 1;
+        numbers.at_sections = *are_on == 2;
     }
     attributes.read_number(element, "start", numbers.start);
     attributes.read_number(element, "step", numbers.step);

@@ -85,10 +85,18 @@ bool needs_units(const DialectTables& tables, const ProgramInfo& program) {
         return line.find("{units}") != std::string::npos;
     };
     if (std::ranges::any_of(tables.program.header, has_units) ||
-        std::ranges::any_of(tables.program.start, has_units))
+        std::ranges::any_of(tables.program.start, has_units, &StartLine::text))
         return false;
     const Function first = tables.power_on[static_cast<std::size_t>(Group::Units)];
     return first != (program.is_inch ? Function::Inch : Function::Metric);
+}
+
+/// A control need not have a function that no program uses: its reset stands only where it is.
+bool is_wanted(const StartLine& line, const ProgramInfo& program) {
+    if (line.uses.empty() || program.used == nullptr) return true;
+    return std::ranges::any_of(line.uses, [&](Function function) {
+        return program.used->test(static_cast<std::size_t>(function));
+    });
 }
 
 }  // namespace
@@ -102,7 +110,9 @@ ProgramLines program_lines(const DialectTables& tables, const ProgramInfo& progr
         if (!filled.empty()) lines.header.push_back(std::move(filled));
     }
     if (needs_units(tables, program)) lines.start.push_back(filler.fill("{units}"));
-    for (const std::string& line : frame.start) lines.start.push_back(filler.fill(line));
+    for (const StartLine& line : frame.start)
+        if (is_wanted(line, program)) lines.start.push_back(filler.fill(line.text));
+    for (const std::string& line : frame.section) lines.section.push_back(filler.fill(line));
     lines.finish = frame.finish;
     for (const std::string& line : frame.end) lines.end.push_back(filler.fill(line));
     return lines;

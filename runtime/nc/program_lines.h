@@ -19,15 +19,18 @@ struct ProgramInfo {
     std::string title;  // shown behind the name where the control has room for it
     bool is_inch = false;
     std::int64_t greatest_number = 0;  // that a block has itself; those that are counted lie above
+    const FunctionSet* used =
+        nullptr;  // that its blocks may have; null: nobody knows, it may be any
 };
 
 /// The lines, filled in for one program, without block numbers and without the sign that ends a
 /// block.
 struct ProgramLines {
-    std::vector<std::string> header;  // before the first block; no blocks themselves
-    std::vector<std::string> start;   // blocks that stand before the program's own
-    std::vector<std::string> finish;  // blocks that end a program which does not end itself
-    std::vector<std::string> end;     // behind the last block; no blocks themselves
+    std::vector<std::string> header;   // before the first block; no blocks themselves
+    std::vector<std::string> start;    // blocks that stand before the program's own
+    std::vector<std::string> section;  // blocks behind a tool change
+    std::vector<std::string> finish;   // blocks that end a program which does not end itself
+    std::vector<std::string> end;      // behind the last block; no blocks themselves
 };
 ProgramLines program_lines(const DialectTables& tables, const ProgramInfo& program);
 

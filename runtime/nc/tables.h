@@ -205,17 +205,25 @@ struct CommentStyle {
 
 struct BlockNumbers {
     bool is_on = false;
+    bool at_sections = false;  // only the blocks with which an operator may begin again
     std::int64_t start = 10;
     std::int64_t step = 10;
     std::int64_t least = 0;  // that is read
     std::int64_t most = 99999999;
 };
 
+/// A line in front of the program's first block.
+struct StartLine {
+    std::string text;            // template
+    std::vector<Function> uses;  // it stands only if the program may use one of these; none: always
+};
+
 struct ProgramTemplates {
     SourceRange range;                 // of the element, in the file
     bool is_inherited = false;         // that file is one which this dialect extends
     std::vector<std::string> header;   // templates, written at once, without block numbers
-    std::vector<std::string> start;    // templates, before the first block that does something
+    std::vector<StartLine> start;      // before the first block that does something
+    std::vector<std::string> section;  // templates, behind each tool change but the first
     std::vector<std::string> end;      // templates, at the very end
     std::vector<std::string> finish;   // before `end` if the program did not end itself
     std::vector<std::string> skipped;  // beginnings of lines that stand before the first block

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -177,6 +178,9 @@ struct FunctionInfo {
 const FunctionInfo& info(Function function);
 std::span<const FunctionInfo> all_functions();
 /// By the name that XML and the language use: "rapid", "plane_xy".
+/// A bit each.
+using FunctionSet = std::bitset<kFunctions>;
+
 std::optional<Function> find_function(std::string_view name);
 std::string_view group_name(Group group);
 std::optional<Group> find_group(std::string_view name);

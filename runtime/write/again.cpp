@@ -39,6 +39,7 @@ void BlockWriter::restore_modal(const Block& block, const Choice& choice, Items&
     if (is_arc(text_.effective_motion(block)) && (block.given & (kTargetSlots | kCenterSlots)) != 0)
         restore(Group::Plane);
     if (block.has(Slot::Feed)) restore(Group::FeedMode);
+    if (block.has(Slot::Speed) && modal_.has_cutting_speed) restore(Group::SpeedMode);
     if (modal_.doubtful == 0 || (block.given & (kTargetSlots | kCenterSlots)) == 0) return;
     for (std::size_t i = 0; i < kGroups; ++i) {
         const auto group = static_cast<Group>(i);

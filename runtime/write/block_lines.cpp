@@ -213,25 +213,4 @@ void BlockWriter::note_line(const std::vector<FormWord>& words) {
     }
 }
 
-void BlockWriter::write_start_line(std::string_view line, std::string& out) {
-    lines_.write(line, true, out);
-    const Form* shift = nullptr;  // that the line programs
-    // The codes of the safety line are what the text begins with.
-    for (std::size_t at = 0; at < line.size();) {
-        const std::size_t begin = line.find_first_not_of(' ', at);
-        if (begin == std::string_view::npos) break;
-        const std::size_t end = std::min(line.find(' ', begin), line.size());
-        const std::string_view word = line.substr(begin, end - begin);
-        const AddressId address = tables_.find_address(word.substr(0, 1));
-        if (address != kNoAddress && word.size() > 1) {
-            const Decimal number = parse_decimal(word.data() + 1, word.data() + word.size());
-            const CodeStart* code = tables_.find_code(address, number.value);
-            if (code != nullptr && code->simple != kNoForm) state_.say(tables_.forms[code->simple]);
-            if (shift != nullptr) state_.start_shift(*shift, address, number.value);
-            if (shift == nullptr) shift = text_.kept_shift(address, number.value);
-        }
-        at = end;
-    }
-}
-
 }  // namespace kadr::write

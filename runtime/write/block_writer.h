@@ -24,7 +24,7 @@ class BlockWriter {
     BlockWriter(const Dialect& dialect, const WriteOptions& options, DiagnosticSink& sink);
 
     const WriterModal& modal() const { return state_.modal(); }
-    std::array<std::size_t, 3> plane_axes() const { return text_.plane_axes(); }
+    const TextView& view() const { return text_; }
     bool is_ready_for(const Block& cycle, const Block& move) const;
     void set_statements(std::span<const SourceRange> statements, const Sources* sources) {
         messages_.set_statements(statements, sources);
@@ -33,12 +33,9 @@ class BlockWriter {
 
     /// Appends the line or lines of the block; returns the number of the first one.
     std::uint32_t write(const Block& block, std::string& out);
-    /// A line of the program's frame.
-    void write_line(std::string_view line, bool is_numbered, std::string& out) {
-        lines_.write(line, is_numbered, out);
-    }
-    /// A line of the frame whose codes establish the modal state.
-    void write_start_line(std::string_view line, std::string& out);
+    /// For the lines of the program's frame, which are none of its blocks.
+    TextState& text_state() { return state_; }
+    Lines& text_lines() { return lines_; }
 
     std::uint32_t lines() const { return lines_.count(); }
     bool failed() const { return messages_.failed(); }

@@ -84,8 +84,13 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
             modal_.text[index_of(Group::Spindle)] = Function::None;
             break;
         case EffectKind::Tilts: modal_.frame.tilted = Activity::Yes; [[fallthrough]];
-        case EffectKind::TurnsSystem:
-        case EffectKind::WorkOffset: forget_unsaid(block); break;
+        case EffectKind::TurnsSystem: forget_unsaid(block); break;
+        case EffectKind::WorkOffset:
+            modal_.work_offset = {true,
+                                  block.argument(effect.invocation_in(block),
+                                                 parameter_of<Function::WorkOffset>("number"))};
+            forget_unsaid(block);
+            break;
         case EffectKind::EndsTiltedPlane: end_tilted_plane(block, effect); break;
         case EffectKind::WritesWorkOffset:
         case EffectKind::CorrectsWorkOffset: modal_.position.forget(); break;
@@ -161,6 +166,17 @@ void TextState::end_tilted_plane(const Block& block, const Effect& effect) {
     modal_.frame.tilted = Activity::No;
 }
 
+/// An operator may start again here: numbers that act are written again by whoever needs them.
+static void begin_section(WriterModal& modal, Function speed_mode_at_power_on, bool is_shifted) {
+    modal.speed.is_known = modal.feed.is_known = false;
+    modal.feed_is_other = modal.has_meant_feed;
+    Function& mode = modal.text[index_of(Group::SpeedMode)];
+    modal.has_cutting_speed |= mode != speed_mode_at_power_on && mode != Function::None;
+    if (modal.has_cutting_speed) mode = Function::None;
+    if (!is_shifted) return;
+    for (NumberInForce& shift : modal.frame.shift) shift.is_known = false;
+}
+
 /// Another tool comes into the spindle. A turret only turns: no modal code is in doubt behind it.
 void TextState::call_tool(const Block& block, const Effect& effect) {
     if (effect.function == Function::ToolSelect) return;
@@ -175,6 +191,9 @@ void TextState::call_tool(const Block& block, const Effect& effect) {
         }
         modal_.edge.length = modal_.tool.value;
     }
+    if (!tables_.program.section.empty())
+        begin_section(modal_, tables_.power_on[index_of(Group::SpeedMode)],
+                      view_.is_shifted() == Activity::Yes);
     modal_.edge.number = {true, 1};
     modal_.edge.is_lost = false;
     modal_.edge.is_end_due = false;

@@ -17,6 +17,13 @@ void Lines::begin(std::int64_t greatest_number) {
                                                            : numbers.start;
 }
 
+std::int32_t Lines::next_section() {
+    const BlockNumbers& numbers = tables_.block_numbers;
+    if (!numbers.at_sections || !is_numbered_) return -1;
+    if (number_ > numbers.most) number_ = numbers.start;
+    return static_cast<std::int32_t>(std::exchange(number_, number_ + numbers.step));
+}
+
 void Lines::open(int skip_level, bool has_number, std::string& out) {
     start_ = out.size();
     if (skip_level >= 0) {

@@ -28,6 +28,8 @@ class Lines {
     /// The next numbered line has this number of the program's own; below 0: a counted one.
     void bring_number(std::int32_t number) { given_number_ = number; }
     bool brings_number() const { return given_number_ >= 0; }
+    /// Number of a block with which an operator may begin again; below 0: it has none of this kind.
+    std::int32_t next_section();
 
     /// skip_level  level; below 0: the line is no optional one
     void open(int skip_level, bool has_number, std::string& out);

@@ -54,6 +54,7 @@ void WriterModal::join(const WriterModal& other) {
     keep(speed, other.speed);
     feed_is_other |= other.feed_is_other;
     keep(tool, other.tool);
+    keep(work_offset, other.work_offset);
     // Of edges only this: they and units stand in no block that may be left out, and an edge that
     // such a block puts aside is written again either way.
     keep(edge.number, other.edge.number);
@@ -67,7 +68,7 @@ void WriterModal::forget() {
     doubtful = 0;
     feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
     edge.is_lost = edge.is_lost || (edge.number.is_known && edge.number.value != 0);
-    tool.is_known = edge.number.is_known = false;
+    tool.is_known = edge.number.is_known = work_offset.is_known = false;
     edge.waiting = 0;
     position.forget();
     frame.forget();

@@ -90,6 +90,11 @@ struct TextFrame {
     std::array<NumberInForce, 3> shift{};       // arguments of a function that remembers them
     std::array<NumberInForce, 3> origin{};      // programmable shift as the program means it, mm
 
+    /// Whether anything acts, or may, that a shift does not bring back.
+    bool is_more_than_shift() const {
+        return rotation != Activity::No || mirror != Activity::No || scale != Activity::No ||
+               tilted != Activity::No;
+    }
     void join(const TextFrame& other);
     void forget();
 };
@@ -129,7 +134,9 @@ struct WriterModal {
     bool feed_is_other = false;  // F in the text is not meant_feed: a pitch, a helix by its arc
     double meant_speed = 0;      // holds if has_meant_speed
     bool has_meant_speed = false;
-    NumberInForce tool;  // the last one that was called
+    bool has_cutting_speed = false;  // the text has it, or had it before the section
+    NumberInForce tool;              // the last one that was called
+    NumberInForce work_offset;
     TextEdge edge;
     WrittenPosition position;
     TextFrame frame;

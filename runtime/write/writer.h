@@ -44,6 +44,11 @@ class Writer {
     /// something has them in front of it.
     void write_start(std::string& out);
     bool has_started() const;
+    /// The statement whose codes stand in the latest line with which a program or a section begins;
+    /// none: it has its own only.
+    SourceId taken() const;
+    /// Whether codes of the latest blocks wait for that line: the text does not have them yet.
+    bool holds_codes() const;
 
     std::uint32_t lines() const;  // written so far
     bool failed() const;          // an error was reported

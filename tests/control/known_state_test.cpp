@@ -89,6 +89,8 @@ Evaluated evaluated(const sema::Code& code, const nc::Dialect& dialect, Diagnost
     bool is_converted = false;
     while (expander.pull(block) > 0) {
         writer.write(block[0], out.text);
+        // What the program has chosen comes with the line in front of the next block.
+        if (writer.holds_codes()) continue;
         const ModalState* known = expander.known();
         if (known == nullptr) {
             out.known.erase(writer.lines());

@@ -645,7 +645,9 @@ TEST_F(CommandLine, OffsetsOfTheCoreAreThoseOfTheTarget) {
     EXPECT_NE(edges.find("N60 D0\n"), std::string::npos) << edges;
     const std::string offsets = kadr({"expand", file("core.kadr"), "-d", "fanuc"}).out;
     // A length waits for the move of its axis; the last one has none.
-    EXPECT_NE(offsets.find("G49 Z9.\nT04 M06\nG00 G43 H04 Z8.\nM30\n"), std::string::npos)
+    EXPECT_NE(
+        offsets.find("G49 Z9.\nN2 T04 M06\nG00 G17 G21 G40 G54 G80 G90 G94\nG43 H04 Z8.\nM30\n"),
+        std::string::npos)
         << offsets;
     save("with.kadr", "program p() { T3 M6; with G43 H3 { G0 Z5; } Z9; M30; }\n");
     const std::string inside = kadr({"expand", file("with.kadr"), "-d", "sinumerik"}).out;

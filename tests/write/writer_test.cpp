@@ -158,7 +158,8 @@ TEST(Writer, NumbersFollowTheControl) {
     expect_text("fanuc", {
                              {"G0 X10 Y-0.5 Z0.0004", "X10. Y-0.5 Z0.\n"},
                              {"G1 X1.2346 F200.5", "G01 X1.235 F200.5\n"},
-                             {"S2400.4 M3\nT3 M6\nDR=1", "S2400 M03\nT03 M06\nD01\n"},
+                             {"S2400.4 M3\nT3 M6\nDR=1",
+                              "S2400 M03\nT03 M06\nG00 G17 G21 G40 G54 G80 G90 G94\nD01\n"},
                              {"G4 P0.25", "G04 P250\n"},
                          });
     expect_text("sinumerik", {
@@ -350,7 +351,7 @@ TEST(Writer, WhatAnOperatorMaySkipIsNotKnown) {
         writer.write(block, text);
     }
     EXPECT_EQ(text,
-              "G69 G50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. "
+              "G69\nG50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. "
               "Z0.\nX1. Z5.\n/2 G01 X2. F100.\nG01 X3. F100.\n");
     Block block = testing::source_block(shipped("iso"), "G0 X1");
     block.skip_level = 0;  // `/` is level 1 here, and there is none below
@@ -373,7 +374,8 @@ TEST(Writer, AWordThatMayBeLeftOutNamesNoAxis) {
         blocks.push_back(testing::source_block(shipped("iso"), statement));
     blocks[2].skip_level = 1;
     const Written written = write_blocks("fanuc", blocks);
-    EXPECT_EQ(written.text.substr(written.text.find("M06")), "M06\n/ G00 X10.\nG00 X10. Y10.\n");
+    EXPECT_EQ(written.text.substr(written.text.find("M06")),
+              "M06\nG00 G17 G21 G40 G54 G80 G90 G94\n/ X10.\nX10. Y10.\n");
 }
 
 TEST(Writer, RadiusThatNoLongerFitsBecomesACentre) {
@@ -589,11 +591,11 @@ TEST(Writer, ProgramFrame) {
     for (const Row& row : {
              Row{"fanuc",
                  {"bracket", 12, "Flange (A)", false},
-                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG69 G50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 "
+                 "%\nO0012(BRACKET)\n(FLANGE [A])\nG69\nG50\nG00 G17 G21 G40 G49 G54 G80 G90 G94 "
                  "G97\nG50.1 X0. Y0. Z0.\nG52 X0. Y0. Z0.\nX1.\nM30\n%\n"},
              {"fanuc",
               {"bracket", 12, "", true},
-              "%\nO0012(BRACKET)\nG69 G50\nG00 G17 G20 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. "
+              "%\nO0012(BRACKET)\nG69\nG50\nG00 G17 G20 G40 G49 G54 G80 G90 G94 G97\nG50.1 X0. Y0. "
               "Z0.\nG52 X0. Y0. Z0.\nX0.0394\nM30\n%\n"},
              {"sinumerik",
               {"3 holes", 1, "", false},
@@ -628,8 +630,8 @@ TEST(Writer, WhatCannotBeSaidIsAnError) {
              {"fanuc", "G91\nG53 Z0", "K4201"},
              {"fanuc", "G90\nG91 G53 Z0", "K4201"},
              {"fanuc", "G0 X0\nG53 X=IC(5)", "K4201"},
-             {"fanuc", "G54 G30 P3 X0", "K4201"},  // G54 P3 is another offset
-             {"iso", "G54 G30 P3 X0", ""},
+             {"fanuc", "G0 X1\nG54 G30 P3 X0", "K4201"},  // G54 P3 is another offset
+             {"iso", "G0 X1\nG54 G30 P3 X0", ""},
              {"fanuc-lathe", "G91\nG53 X5", "K4201"},
              {"fanuc", "mirror()", "K4201"},  // no axis
              {"sinumerik", "reference_point()", "K4201"},
