@@ -154,6 +154,7 @@ Done emit_element(Running& run, const Element& element, const FollowedBlock& nex
     const PlaneIndices axes = wording.axes();
     const Vec2 words = wording.words(element.to);
     Block& block = next_block(run, next.source);
+    block.number = next.number;
     block.motion = !element.is_arc()   ? Function::Line
                    : element.sweep > 0 ? Function::ArcCcw
                                        : Function::ArcCw;

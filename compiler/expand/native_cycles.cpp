@@ -15,6 +15,7 @@
 #include "expand/numbers.h"
 #include "expand/plane.h"
 #include "expand/running.h"
+#include "expand/shape_cycles.h"
 #include "expand/unknown.h"
 #include "nc/cycle_back.h"
 #include "nc/tables.h"
@@ -132,6 +133,7 @@ void warn_of_tap(Running& run) {
 
 CycleOutcome emit_cycle(Running& run, nc::CycleId cycle, const sema::Slot* registers) {
     if (run.recordings.is_open()) return CycleOutcome::Moves;
+    if (run.target.cycles()[cycle].takes_shape()) return emit_shape_cycle(run, cycle, registers);
     const CallFrame& frame = run.vm.calls.back();
     if (run.modal.compensation.is_choice() && frame.return_to > 0) {
         compensation_chosen(run, fault_in(run, diag::CompensationInDoubt, frame.return_to - 1,

@@ -56,6 +56,7 @@ struct FollowedBlock {
     unsigned depth = 0;        // loops around the statement
     double feed = 0;           // of the block, second form included; NaN: none
     bool is_diameter = false;  // the word X is a diameter
+    std::int32_t number = -1;  // N of the block; -1: none
 };
 
 /// A curve that is being followed: its blocks may fill several batches.

@@ -28,6 +28,7 @@
 #include "expand/open_scopes.h"
 #include "expand/recording.h"
 #include "expand/reported_in_program.h"
+#include "expand/written_shapes.h"
 #include "sema/code.h"
 
 namespace kadr::expand {
@@ -107,6 +108,7 @@ struct Running {
     TestAtWork test;
     ReportedInProgram reported;  // of the whole program; see also ModalState::reported
     ReportedAt reported_at;
+    WrittenShapes shapes;
 
     const sema::Code& code;
     const nc::Dialect& target;

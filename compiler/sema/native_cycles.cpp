@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "nc/parameters.h"
+
 namespace kadr::sema {
 
 using syntax::DeclKind;
@@ -11,12 +13,38 @@ bool is_library(const Check& check, std::uint32_t module) {
            std::string_view::npos;
 }
 
+namespace {
+
+/// What the name of a cycle begins with that asks the control for one along a shape, and has no
+/// moves in its place: `native_stock_rough` asks for `stock_rough`.
+constexpr std::string_view kAsked = "native_";
+
+/// A contour, then parameters of the control's cycle, then what tells whether the control has it.
+bool asks_for(const FunctionDecl& function, const nc::CycleInfo& cycle) {
+    const std::vector<ParameterDecl>& own = function.parameters;
+    if (!cycle.takes_shape() || own.size() < 2 || own.front().name != "shape") return false;
+    return std::all_of(own.begin() + 1, own.end(), [&](const ParameterDecl& parameter) {
+        return parameter.is_reference || parameter.name == "is_asked" ||
+               nc::find_parameter(cycle.parameters, parameter.name).has_value();
+    });
+}
+
+/// … of the library's function of that name.
+std::optional<nc::CycleId> asked_cycle(const nc::Dialect& dialect, const FunctionDecl& function) {
+    const std::string_view name = std::string_view(function.name).substr(kAsked.size());
+    const std::optional<nc::CycleId> id = dialect.find_cycle(name);
+    return id && asks_for(function, dialect.cycles()[*id]) ? id : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<nc::CycleId> native_cycle(const Check& check, const FunctionDecl& function) {
     if (function.kind != DeclKind::Cycle) return std::nullopt;
     // Only the cycles of the standard library are the controls' own: a user's cycle of the same
     // name does what the user wrote.
     if (!is_library(check, function.module)) return std::nullopt;
     const nc::Dialect& dialect = *check.names.module(0).dialect;
+    if (std::string_view(function.name).starts_with(kAsked)) return asked_cycle(dialect, function);
     const std::optional<nc::CycleId> id = dialect.find_cycle(function.name);
     if (!id) return std::nullopt;
     const std::vector<nc::Parameter>& parameters = dialect.cycles()[*id].parameters;

@@ -37,6 +37,7 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!fast_.write(block, out)) write_long(block, out);
+            follow_shape(block);
             if (idle_.counts()) idle_.count(block, lines_.count() - before);
             break;
         case Block::Kind::Comment: lines_.write_comment(block.comment, out); break;

@@ -262,6 +262,11 @@ void TextState::leave_changer() {
 
 /// Which motion is modal behind a cycle or a tool change is the control's or its builder's choice,
 /// and an operator who starts there wants to read it: the next motion writes it again.
+void TextState::come_back(const WrittenPosition& position) {
+    modal_.position = position;
+    forget_motion();
+}
+
 void TextState::forget_motion() { modal_.text[index_of(Group::Motion)] = Function::None; }
 
 /// A rotation or mirroring acts on the axis; its coordinate is another one now.

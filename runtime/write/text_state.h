@@ -76,6 +76,8 @@ class TextState {
     void lose(std::size_t axis);
     /// X means something else from here on: where the tool stands has another number.
     void change_diameter(Function before);
+    /// Behind the blocks of a shape, which the control has passed over: the tool is where it was.
+    void come_back(const WrittenPosition& position);
     /// Where the cycle has left the tool.
     void follow_back(const Block& block, const Invocation& cycle);
 

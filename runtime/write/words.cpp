@@ -178,6 +178,28 @@ void Words::append_quantity(const Block& block, const FormWord& word, const Numb
         messages_.number_fault(block, fault, number, word.dimension, name);
 }
 
+namespace {
+
+/// A block number is written as it stands behind N, whatever other numbers of the address are.
+constexpr NumberFormat kBlockNumber = [] {
+    NumberFormat format;
+    format.decimals = format.inch_decimals = 0;
+    format.point = PointRule::Never;
+    format.max_digits = 8;
+    format.allows_minus = false;
+    return format;
+}();
+
+bool is_block_number(const DialectTables& tables, const Block& block, const FormWord& word,
+                     const Invocation* invocation) {
+    if (invocation == nullptr || invocation->function != Function::Cycle) return false;
+    const nc::CycleInfo::Roles& roles = tables.cycles[block.cycle].roles;
+    return word.parameter >= 0 &&
+           (word.parameter == roles.first_block || word.parameter == roles.last_block);
+}
+
+}  // namespace
+
 void Words::append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                              const NumberFormat& format, std::string_view name, std::string& out) {
     const auto parameter = static_cast<std::size_t>(word.parameter);
@@ -210,9 +232,10 @@ void Words::append_parameter(const Block& block, const FormWord& word, const Inv
     }
     const bool is_of_frame = invocation != nullptr && word.dimension == Dimension::Length &&
                              has_fact(invocation->function, Fact::SetsFrame);
-    const NumberFormat own = word.is_pitch ? pitch_format(format)
-                             : is_of_frame ? frame_format(format)
-                                           : format;
+    const NumberFormat own = is_block_number(tables_, block, word, invocation) ? kBlockNumber
+                             : word.is_pitch ? pitch_format(format)
+                             : is_of_frame   ? frame_format(format)
+                                             : format;
     const NumberFault fault = append_number(out, number, own, word.dimension, modal_.units);
     if (fault != NumberFault::None)
         messages_.number_fault(block, fault, programmed, word.dimension, name);

@@ -158,14 +158,15 @@ void expect_between(const Profile& part, const std::vector<double>& kept, double
     }
 }
 
-void expect_roughed(const Roughing& r) {
+/// dialect  whose control roughs; by moves if it has no cycle for it
+void expect_roughed(const Roughing& r, const std::string& dialect = "iso") {
     const double away = r.view.side > 0 ? 10 : -3;
     const double radius = r.view.side * (r.view.is_facing ? r.rough_t : r.rough_h);
     const ProfilePoint start{tenth(radius + away), 60};
     const std::string text =
         program_text(contour_text(r.shape, r.view), call_of(r), start, "contour_turning");
     SCOPED_TRACE(text);
-    const CycleRun run = run_text(text, "iso", "lathe");
+    const CycleRun run = run_text(text, dialect, "lathe");
     ASSERT_EQ(run.status, 0) << run.error;
     Profile part = rough_part(r);
     part.cut(run.commands, r.view, {r.nose, r.falling_deg});
@@ -294,6 +295,32 @@ TEST(Turning, RoughingFromABoreOutwards) {
     for (int i = 0; i < sets(); ++i) {
         expect_roughed(draw_roughing(dice, {true, -1}, {dice.length(-40, 0), -dice.length(8, 20)},
                                      dice.length(5, 40)));
+    }
+}
+
+/// What a control's own cycle takes: a shape that only rises, cut along at last.
+Roughing draw_native(Dice& dice, const ProfileView& view, const ProfilePoint& start,
+                     double length) {
+    Roughing r = draw_roughing(dice, view, start, length);
+    while (r.falling_deg > 0 || !r.is_along) r = draw_roughing(dice, view, start, length);
+    return r;
+}
+
+TEST(Turning, NativeRoughing) {
+    Dice dice(27);
+    for (int i = 0; i < sets(); ++i) {
+        for (const std::string dialect : {"fanuc-lathe", "fanuc-lathe-b", "fanuc-lathe-c"}) {
+            SCOPED_TRACE(dialect);
+            const double length = dice.length(5, 40);
+            expect_roughed(draw_native(dice, {false, 1}, {dice.length(6, 20), 0}, length), dialect);
+            expect_roughed(draw_native(dice, {false, -1}, {-dice.length(35, 50), 0}, length),
+                           dialect);
+            expect_roughed(draw_native(dice, {true, 1}, {dice.length(-40, 0), length + 60}, length),
+                           dialect);
+            expect_roughed(
+                draw_native(dice, {true, -1}, {dice.length(-40, 0), -dice.length(8, 20)}, length),
+                dialect);
+        }
     }
 }
 
