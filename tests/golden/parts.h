@@ -34,6 +34,9 @@ inline const std::vector<MadeControl> kMadeControls = {
 struct Part {
     fs::path source;
     std::string machine;
+    /// A FANUC lathe roughs it by its own cycle, in other strokes than the library (what both
+    /// leave, tests/stdlib/turning_test.cpp holds).
+    bool has_own_strokes = false;
     std::string name() const { return source.stem().string(); }
     /// The controls that it is written for: a lathe may have one of its own kind, too.
     std::vector<std::string> dialects() const {
@@ -56,7 +59,8 @@ inline std::vector<Part> parts_of(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() != ".kadr") continue;
         const std::string text = kadr::read_file(entry.path()).value_or("");
-        parts.push_back({entry.path(), machine_of(text)});
+        const bool has_own_strokes = text.find("in strokes of its own") != std::string::npos;
+        parts.push_back({entry.path(), machine_of(text), has_own_strokes});
     }
     std::sort(parts.begin(), parts.end(),
               [](const Part& a, const Part& b) { return a.source < b.source; });

@@ -47,6 +47,8 @@ const std::map<std::string, Place> kDrawnInCpp = {
     {"turn_rough", {"turning_test.cpp", "\"turn_rough\""}},
     {"face_rough", {"turning_test.cpp", "\"face_rough\""}},
     {"turn_contour", {"turning_test.cpp", "turn_contour(shape, allowance: \" + mm("}},
+    {"native_stock_rough", {"turning_test.cpp", "TEST(Turning, NativeRoughing)"}},
+    {"native_stock_follow", {"turning_test.cpp", "TEST(Turning, NativeFinishing)"}},
     {"turn_finish", {"turning_test.cpp", "\"turn_finish({\" + points"}},
     {"turn_face", {"turning_test.cpp", "turn_face(d: \" + mm("}},
     {"turn_groove", {"turning_test.cpp", "turn_groove(d: \" + mm("}},

@@ -2,6 +2,7 @@
 // finished contour and its allowance, nothing left above it but what a cut may leave, no cut deeper
 // than its step, no rapid and no back of the tool in material; the same on every control.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -158,6 +159,13 @@ void expect_between(const Profile& part, const std::vector<double>& kept, double
     }
 }
 
+/// Whether one block of the text makes several cuts.
+bool has_native_cycle(const std::vector<json>& commands) {
+    return std::ranges::adjacent_find(commands, [](const json& a, const json& b) {
+               return a.at("op") == "line" && b.at("op") == "line" && a.at("iso") == b.at("iso");
+           }) != commands.end();
+}
+
 /// dialect  whose control roughs; by moves if it has no cycle for it
 void expect_roughed(const Roughing& r, const std::string& dialect = "iso") {
     const double away = r.view.side > 0 ? 10 : -3;
@@ -169,7 +177,9 @@ void expect_roughed(const Roughing& r, const std::string& dialect = "iso") {
     const CycleRun run = run_text(text, dialect, "lathe");
     ASSERT_EQ(run.status, 0) << run.error;
     Profile part = rough_part(r);
-    part.cut(run.commands, r.view, {r.nose, r.falling_deg});
+    const bool is_native = dialect != "iso";
+    EXPECT_EQ(has_native_cycle(run.commands), is_native);
+    part.cut(run.commands, r.view, {r.nose, r.falling_deg, 0, is_native});
     expect_clean(part);
     EXPECT_NEAR(part.x(), start.h, 1e-6) << "the cycle ends where it began";
     // A nose leaves its own shape at the walls, which the cut along the contour takes.
@@ -308,20 +318,60 @@ Roughing draw_native(Dice& dice, const ProfileView& view, const ProfilePoint& st
 
 TEST(Turning, NativeRoughing) {
     Dice dice(27);
+    const std::array dialects = {"fanuc-lathe", "fanuc-lathe-b", "fanuc-lathe-c"};
     for (int i = 0; i < sets(); ++i) {
-        for (const std::string dialect : {"fanuc-lathe", "fanuc-lathe-b", "fanuc-lathe-c"}) {
-            SCOPED_TRACE(dialect);
-            const double length = dice.length(5, 40);
-            expect_roughed(draw_native(dice, {false, 1}, {dice.length(6, 20), 0}, length), dialect);
-            expect_roughed(draw_native(dice, {false, -1}, {-dice.length(35, 50), 0}, length),
-                           dialect);
-            expect_roughed(draw_native(dice, {true, 1}, {dice.length(-40, 0), length + 60}, length),
-                           dialect);
-            expect_roughed(
-                draw_native(dice, {true, -1}, {dice.length(-40, 0), -dice.length(8, 20)}, length),
-                dialect);
-        }
+        const std::string dialect = dialects[static_cast<std::size_t>(i / 4 % 3)];
+        SCOPED_TRACE(dialect);
+        const double length = dice.length(5, 40);
+        const std::array<Roughing, 4> kinds = {
+            draw_native(dice, {false, 1}, {dice.length(6, 20), 0}, length),
+            draw_native(dice, {false, -1}, {-dice.length(35, 50), 0}, length),
+            draw_native(dice, {true, 1}, {dice.length(-40, 0), length + 60}, length),
+            draw_native(dice, {true, -1}, {dice.length(-40, 0), -dice.length(8, 20)}, length)};
+        expect_roughed(kinds[static_cast<std::size_t>(i % 4)], dialect);
     }
+}
+
+/// Whether blocks are executed again that stand farther up in the text.
+bool goes_back_in_text(const std::vector<json>& commands) {
+    return std::ranges::adjacent_find(commands, [](const json& a, const json& b) {
+               return b.at("iso") < a.at("iso");
+           }) != commands.end();
+}
+
+/// Roughing and finishing, both by the control, along one shape; nothing stays on it. Returns
+/// whether the finishing cut goes along the blocks of the roughing.
+bool expect_finished_by_control(Roughing r) {
+    r.allowance = r.nose = r.more_t = 0;
+    r.rough_t = r.shape.start.t;
+    const std::string call =
+        call_of(r) + ";\n    turn_contour(shape" + (r.view.side < 0 ? ", where: inner)" : ")");
+    const double highest = std::max(r.shape.highest(), r.rough_h);
+    const ProfilePoint start{tenth(r.view.side * (highest + 4)), 60};
+    const std::string text =
+        program_text(contour_text(r.shape, r.view), call, start, "contour_turning");
+    SCOPED_TRACE(text);
+    const CycleRun run = run_text(text, "fanuc-lathe", "lathe");
+    EXPECT_EQ(run.status, 0) << run.error;
+    Profile part = rough_part(r);
+    part.cut(run.commands, r.view, {0, 0, 0, true});
+    expect_clean(part);
+    EXPECT_NEAR(part.x(), start.h, 1e-6) << "the cycle ends where it began";
+    const std::vector<double> kept = part.kept(r.shape, 0, 0, 0, 0);
+    expect_between(part, kept, r.shape.end().t + 0.05, r.shape.start.t - 0.05, r.rough_h, 0);
+    return goes_back_in_text(run.commands);
+}
+
+TEST(Turning, NativeFinishing) {
+    Dice dice(28);
+    int along_the_same_blocks = 0;
+    for (int i = 0; i < sets() / 2; ++i) {
+        const double side = i % 2 == 0 ? 1 : -1;
+        const double h = side > 0 ? dice.length(6, 20) : -dice.length(35, 50);
+        const Roughing r = draw_native(dice, {false, side}, {h, 0}, dice.length(5, 40));
+        along_the_same_blocks += expect_finished_by_control(r) ? 1 : 0;
+    }
+    EXPECT_GT(along_the_same_blocks, sets() / 8);
 }
 
 TEST(Turning, Finishing) {
