@@ -57,19 +57,23 @@ ShapeCall call_of(Running& run, const nc::CycleInfo& cycle, const Slot* register
     return call;
 }
 
+/// Whether all is known that the blocks behind the cycle would need, and nothing else waits for
+/// them.
+bool is_known_state(const Running& run) {
+    const ModalState& modal = run.modal;
+    const AxisMask lathe = bit(Axis::X) | bit(Axis::Z);
+    return modal.lost.what() == 0 && modal.lost.restate() == 0 && modal.drifts.unplaced() == 0 &&
+           !modal.compensation.is_choice() && !modal.feed.is_lost() && !modal.has_ended &&
+           !is_between_positions(run) && (modal.position.known() & lathe) == lathe;
+}
+
 /// Whether the shape's blocks, passed over and executed by the cycle, are what moves would be.
 bool is_plain_state(const Running& run) {
-    const KnownPosition& position = run.modal.position;
-    const Function plane = run.modal[Group::Plane];
-    const AxisMask lathe = bit(Axis::X) | bit(Axis::Z);
-    return run.modal.lost.what() == 0 && run.modal.lost.restate() == 0 &&
-           run.modal.drifts.unplaced() == 0 && !run.modal.has_ended &&
-           !run.modal.compensation.is_choice() && !run.modal.tcp.acts() &&
-           !nc::has_fact(run.modal[Group::RadiusComp], nc::Fact::CompSide) &&
-           !is_between_positions(run) && !run.modal.feed.is_lost() &&
-           run.modal[Group::FeedMode] != Function::FeedInverseTime &&
-           run.modal[Group::Distance] == Function::Absolute && plane == Function::PlaneZx &&
-           run.modal.frame.now().is_shift() && (position.known() & lathe) == lathe;
+    const ModalState& modal = run.modal;
+    if (nc::has_fact(modal[Group::RadiusComp], nc::Fact::CompSide)) return false;
+    if (modal[Group::FeedMode] == Function::FeedInverseTime) return false;
+    if (modal.tcp.acts() || !modal.frame.now().is_shift()) return false;
+    return modal[Group::Distance] == Function::Absolute && modal[Group::Plane] == Function::PlaneZx;
 }
 
 std::int64_t greatest_number(const sema::Code& code) {
@@ -182,7 +186,7 @@ Done emit_shape(Running& run, const ShapeCall& call, std::size_t across, const W
 
 CycleOutcome emit_shape_cycle(Running& run, nc::CycleId cycle, const Slot* registers) {
     const nc::BlockNumbers& numbers = run.target.tables().block_numbers;
-    if (!run.options.native_cycles || numbers.is_on || !is_plain_state(run))
+    if (!run.options.native_cycles || numbers.is_on || !is_known_state(run) || !is_plain_state(run))
         return CycleOutcome::Moves;
     const nc::CycleInfo& info = run.target.cycles()[cycle];
     ShapeCall call = call_of(run, info, registers);

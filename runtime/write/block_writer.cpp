@@ -37,7 +37,8 @@ std::uint32_t BlockWriter::write(const Block& block, std::string& out) {
     switch (block.kind) {
         case Block::Kind::Nc:
             if (!fast_.write(block, out)) write_long(block, out);
-            follow_shape(block);
+            if (shape_.ends_with(block)) state_.come_back(shape_.start());
+            else shape_.look(block, tables_.cycles, modal_.position);
             if (idle_.counts()) idle_.count(block, lines_.count() - before);
             break;
         case Block::Kind::Comment: lines_.write_comment(block.comment, out); break;

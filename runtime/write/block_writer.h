@@ -12,6 +12,7 @@
 #include "write/idle_lines.h"
 #include "write/lines.h"
 #include "write/messages.h"
+#include "write/shape_behind_cycle.h"
 #include "write/targets.h"
 #include "write/text_state.h"
 #include "write/words.h"
@@ -73,7 +74,6 @@ class BlockWriter {
     bool ends_cycle(const Block& block) const;
     void follow_cycle(const Block& block, const Choice& choice, std::string& out);
     void close_cycle(std::string& out);
-    void follow_shape(const Block& block);
     void write_further_lines(const Form& form, const Block& block, const Invocation* invocation,
                              std::string& out);
     bool is_at_level(const Form& form, const Block& block, const Invocation& invocation) const;
@@ -129,13 +129,7 @@ class BlockWriter {
         Choice choice;
     };
     std::optional<OpenCycle> open_cycle_;
-    /// The shape of a cycle: the control does not execute its blocks where they stand, but stands
-    /// behind the last one where it called the cycle.
-    struct OpenShape {
-        std::int32_t last = -1;  // number of its last block
-        WrittenPosition start;
-    };
-    std::optional<OpenShape> open_shape_;
+    ShapeBehindCycle shape_;
 };
 
 }  // namespace kadr::write

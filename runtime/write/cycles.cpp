@@ -111,20 +111,6 @@ void BlockWriter::follow_cycle(const Block& block, const Choice& choice, std::st
     else if (ends_cycle(block)) close_cycle(out);
 }
 
-/// A cycle works along the blocks behind it, to the one with the number that it names.
-void BlockWriter::follow_shape(const Block& block) {
-    if (open_shape_ && block.number == open_shape_->last) {
-        state_.come_back(open_shape_->start);
-        open_shape_.reset();
-    } else if (block.function_count != 0) {
-        const Invocation* cycle = block.find(Function::Cycle);
-        const int last = cycle != nullptr ? dialect_.cycles()[block.cycle].roles.last_block : -1;
-        if (last < 0 || !cycle->has(static_cast<std::size_t>(last))) return;
-        const double number = block.argument(*cycle, static_cast<std::size_t>(last));
-        open_shape_ = OpenShape{static_cast<std::int32_t>(number), modal_.position};
-    }
-}
-
 /// The lines that end the cycle, and what is said again behind it.
 void BlockWriter::close_cycle(std::string& out) {
     const OpenCycle open = *std::exchange(open_cycle_, std::nullopt);

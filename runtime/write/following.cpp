@@ -112,7 +112,9 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
             modal_.edge.length = length_behind(block, effect, modal_.edge.length);
             [[fallthrough]];
         case EffectKind::WritesLength: change_length(block); break;
-        case EffectKind::SelectsRadius: drop_pending_radius(); break;
+        case EffectKind::SelectsRadius:
+            std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
+            break;
         case EffectKind::LeavesWords: forget_words(block, effect); break;
         case EffectKind::GoesToPoint:
             defer_length(block, effect.invocation_in(block));
@@ -130,10 +132,6 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
 void TextState::drop_pending_length() {
     modal_.edge.is_end_due = false;
     std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis >= 0; });
-}
-
-void TextState::drop_pending_radius() {
-    std::erase_if(pending_, [](const Pending& p) { return p.deferred->axis < 0; });
 }
 
 void TextState::follow_shift_add(const FrameChange& change) {

@@ -119,9 +119,8 @@ class TextState {
     void forget_motion();
     void leave_changer();
     void defer_length(const Block& block, const Invocation& invocation);
-    // What waits has words of its own in the program: a length for its axis, a radius for its side.
+    // A length that waits has words of its own in the program, for its axis.
     void drop_pending_length();
-    void drop_pending_radius();
 
     const DialectTables& tables_;
     const Rules& rules_;
