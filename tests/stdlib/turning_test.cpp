@@ -332,6 +332,31 @@ TEST(Turning, NativeRoughing) {
     }
 }
 
+/// What the control's cycle would do otherwise, or not at all.
+TEST(Turning, WhatTheControlsCycleDoesNotTakeStaysMoves) {
+    const std::string rising = "{ DIAMON; G1 X20 Z0; Z-20; X30 Z-30; Z-40; }";
+    const std::string hollow = "{ DIAMON; G1 X20 Z0; Z-20; X16 Z-25; Z-30; X30; Z-40; }";
+    const std::string rough = "turn_rough(shape, d: 40mm, step: 2mm";
+    struct Case {
+        std::string shape, call;
+        bool is_native;
+    };
+    const std::vector<Case> cases = {
+        {rising, rough + ")", true},
+        {rising, "with shift(z: 1mm) { " + rough + "); }", true},
+        {rising, rough + ", along: false)", false},
+        {hollow, rough + ", falling: 45deg)", false},
+    };
+    for (const Case& each : cases) {
+        SCOPED_TRACE(each.call);
+        const CycleRun run =
+            run_text(program_text(each.shape, each.call, {30, 60}, "contour_turning"),
+                     "fanuc-lathe", "lathe");
+        ASSERT_EQ(run.status, 0) << run.error;
+        EXPECT_EQ(has_native_cycle(run.commands), each.is_native);
+    }
+}
+
 /// Whether blocks are executed again that stand farther up in the text.
 bool goes_back_in_text(const std::vector<json>& commands) {
     return std::ranges::adjacent_find(commands, [](const json& a, const json& b) {
