@@ -13,7 +13,8 @@
 namespace kadr::expand {
 
 /// One instruction may make more blocks than the batch has room for: the others wait. While some
-/// do, the batch is full.
+/// do, the batch is full. Blocks that another one behind them may still change are held; they wait
+/// at the end.
 class Batch {
   public:
     /// From here on blocks go into `out`, what waits first. Origins of the batch before are gone.
@@ -30,6 +31,19 @@ class Batch {
         else --count_;
     }
     bool is_full() const { return count_ == out_.size(); }
+
+    /// From the block that was made last on, blocks are held.
+    void hold_last();
+    bool is_holding() const { return is_holding_; }
+    std::size_t held() const { return is_holding_ ? waiting_.size() - free_ : 0; }
+    /// One of them; 0 is the first.
+    nc::Block& held(std::size_t i) { return waiting_[free_ + i]; }
+    const nc::Block& held(std::size_t i) const { return waiting_[free_ + i]; }
+    /// A block between them, whose origin is that of the first.
+    void insert_held(std::size_t i, nc::Block block);
+    void drop_held(std::size_t i);
+    /// The first of them are as they are to be.
+    void settle_first(std::size_t count);
     bool has_waiting() const { return !waiting_.empty(); }
     std::size_t count() const { return count_; }
 
@@ -42,9 +56,14 @@ class Batch {
     const BlockOrigin& origin(std::size_t i) const;
 
   private:
+    void deliver_waiting();
+    bool has_origins() const { return origins_.size() == count_ + waiting_.size(); }
+
     std::span<nc::Block> out_;
     std::size_t count_ = 0;
     std::deque<nc::Block> waiting_;
+    bool is_holding_ = false;
+    std::size_t free_ = 0;             // while it holds: of those that wait, so many are not held
     std::deque<BlockOrigin> origins_;  // of the batch and of what waits
 };
 

@@ -8,8 +8,10 @@
 #include "base/diagnostics/expand.h"
 #include "expand/block_values.h"
 #include "expand/contour_recording.h"
+#include "expand/corners.h"
 #include "expand/cuts.h"
 #include "expand/cycles.h"
+#include "expand/drawn_words.h"
 #include "expand/faults.h"
 #include "expand/frame_blocks.h"
 #include "expand/input.h"
@@ -47,6 +49,8 @@ Done require_room(Running& run, std::uint32_t at) {
         fault(run, diag::CurveBlock, at);
         return kFailed;
     }
+    if (run.batch.is_holding() && !require_room_to_wait(run)) [[unlikely]]
+        return kFailed;
     if (run.budget.take_block()) [[likely]]
         return kDone;
     fault(run, diag::BlockLimit, at)
@@ -291,6 +295,9 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
             return kFailed;
         }
     }
+    if ((plan.customs & sema::custom::kDrawn) != 0 && !take_drawn_words(run, block, plan, at))
+        [[unlikely]]
+        return kFailed;
     if ((plan.customs & kOfCycles) != 0 && !run.recordings.is_open() &&
         !take_position(run, block, plan, at)) [[unlikely]] {
         return kFailed;
@@ -333,6 +340,8 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
     if (run.options.warns_of_cuts && !run.modal.reported.has_reported(ProgramNotice::Rapid) &&
         !run.recordings.is_open())
         check_rapid(run, block, at);
+    const bool has_corner = is_about_corner(run);
+    const KnownPosition before = has_corner ? run.modal.position : KnownPosition();
     run.modal.take_words(block);
     if (owes_behind) [[unlikely]]
         run.modal.take_behind(block, run.target.rules());
@@ -340,6 +349,8 @@ Done fill_block(Running& run, const sema::Plan& plan, const Instruction& instruc
         [[unlikely]]
         return kFailed;
     if (run.options.trace) keep_trace(run, at, instruction.c, source);
+    if (has_corner) [[unlikely]]
+        return finish_side(run, before, at);
     return kDone;
 }
 

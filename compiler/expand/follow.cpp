@@ -10,6 +10,7 @@
 #include "expand/blocks.h"
 #include "expand/contour_recording.h"
 #include "expand/contour_values.h"
+#include "expand/corners.h"
 #include "expand/cuts.h"
 #include "expand/cycles.h"
 #include "expand/faults.h"
@@ -199,6 +200,8 @@ Done finish_followed(Running& run, Block& block, const FollowedBlock& next, std:
     if (run.modal.has_ended && !run.recordings.is_open()) warn_after_end(run, where);
     if (run.modal.owed.diameter() != Function::None && !run.recordings.is_open())
         say_diameter(run, block);
+    const bool has_corner = is_about_corner(run);
+    const KnownPosition before = has_corner ? run.modal.position : KnownPosition();
     run.modal.take_words(block);
     if (owes_behind) run.modal.take_behind(block, run.target.rules());
     if (run.recordings.is_open()) return keep(run, block, where);
@@ -207,7 +210,7 @@ Done finish_followed(Running& run, Block& block, const FollowedBlock& next, std:
         return kFailed;
     }
     if (run.options.trace) keep_trace(run, where, next.depth, next.source);
-    return kDone;
+    return has_corner ? finish_side(run, before, where) : kDone;
 }
 
 }  // namespace kadr::expand

@@ -5,6 +5,7 @@
 // transitions of their own; here stands what concerns several of them.
 #pragma once
 
+#include "expand/known_drawing.h"
 #include "expand/known_frame.h"
 #include "expand/known_position.h"
 #include "expand/known_values.h"
@@ -28,6 +29,7 @@ struct ModalState {
     KnownFrame frame;
     TiltInUse tilt;
     TcpInUse tcp;
+    KnownDrawing drawing;
     LostState lost;
     Owed owed;
     double work_offset = 0;    // parameter of WorkOffset

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/source.h"
+#include "expand/corner_state.h"
 #include "expand/modal.h"
 #include "nc/block.h"
 #include "path/contour.h"
@@ -28,6 +29,8 @@ struct ContourRecording {
     path::Vec2 at = path::Vec2::Zero();
     bool has_start = false;
     bool is_closed = false;
+    std::optional<WantedCorner> corner;  // at the end of the last element
+    std::optional<OpenLine> open;
 };
 
 /// The contours around the statement that runs: their blocks become elements, and none is output.

@@ -7,8 +7,9 @@
 // (`with`, what a cycle needs and preserves), frame_blocks.h, tilted_planes.h and orienting.h
 // (planes and directions of five axes), native_cycles.h; input.h, input_frames.h, input_tools.h,
 // input_positions.h, input_references.h and cycles.h (blocks in the manner of another control);
-// contour_values.h, contour_recording.h, contours.h, follow.h, curves.h; faults.h (errors with the
-// call stack); tests.h. For the room expand only.
+// contour_values.h, contour_recording.h, contours.h, follow.h, curves.h; drawn_words.h and
+// corners.h (angles, polar coordinates, chamfers and roundings in blocks); faults.h (errors with
+// the call stack); tests.h. For the room expand only.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include "expand/batch.h"
 #include "expand/budget.h"
 #include "expand/call_stack.h"
+#include "expand/corner_state.h"
 #include "expand/expander.h"
 #include "expand/heap.h"
 #include "expand/modal.h"
@@ -102,6 +104,7 @@ struct Running {
     OpenScopes scopes;
     Recordings recordings;
     CurveAtWork curve;
+    CornersInWork corners;
     ActiveCycle cycle;
     Budget budget;
     RunStatus status;

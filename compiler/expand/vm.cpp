@@ -19,6 +19,7 @@
 #include "expand/blocks.h"
 #include "expand/contour_recording.h"
 #include "expand/contours.h"
+#include "expand/corners.h"
 #include "expand/curves.h"
 #include "expand/cycles.h"
 #include "expand/faults.h"
@@ -218,6 +219,8 @@ std::size_t pull(Running& run, std::span<nc::Block> out) {
         execute<true, false, true>(run);
     else if (run.options.trace) execute<true, false, false>(run);
     else execute<false, false, false>(run);
+    if (!run.status.is_running() && run.batch.is_holding() && !run.status.has_failed())
+        finish_corners(run);
     return run.batch.count();
 }
 

@@ -154,6 +154,7 @@ std::uint32_t customs_of(const Check& check, const Plan& plan, std::span<const W
         add(group == nc::Group::CycleMode || group == nc::Group::CycleReturn, custom::kCycleWords);
         add(invocation.function == nc::Function::TapRigid, custom::kCycleWords);
         add(invocation.function == nc::Function::ToolVector, custom::kDirection);
+        add(nc::has_fact(invocation.function, nc::Fact::Resolved), custom::kDrawn);
         const bool is_offset = nc::has_fact(invocation.function, nc::Fact::CallsEdge);
         add(is_offset && dialect.is_core(), custom::kCoreOffsets);
     }

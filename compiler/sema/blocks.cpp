@@ -200,6 +200,10 @@ void emit_words(Check& check, std::span<const Word> words, const BehindWords& be
             [&](const nc::Hole& hole) { return !is_of_cycle(planned->block, hole); });
         plan = compact(*planned);
         plan.customs = customs_of(check, plan, words) | customs;
+        const auto is_polar = [](const nc::Hole& hole) {
+            return !hole.is_argument && (nc::kPolarSlots >> hole.index & 1u) != 0;
+        };
+        if (std::ranges::any_of(planned->holes, is_polar)) plan.customs |= custom::kDrawn;
         plan.skip_level = skip_level;
         if (skip_level >= 0) check_passed_text(check, plan, words);
     }
@@ -237,6 +241,7 @@ void emit_words(Check& check, std::span<const Word> words, const BehindWords& be
         planned ? take_cycle(check, plan, *planned, words) : std::nullopt;
     const auto is_target = [](const Filling& f) { return !f.is_argument && f.index < kAxes; };
     const bool moves = point_register != 0 || (plan.given & nc::kTargetSlots) != 0 ||
+                       (plan.customs & custom::kDrawn) != 0 ||
                        std::any_of(plan.fillings.begin(), plan.fillings.end(), is_target);
     const Plan deletion = take_functions(
         plan, [&](const nc::Invocation& invocation) { return deletes_frame(plan, invocation); });

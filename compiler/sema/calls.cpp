@@ -77,7 +77,7 @@ Value call(Check& check, ExprId id, Reg hint) {
     if (const std::optional<Value> value = builtin(check, name, expr, hint)) return *value;
     if (const std::optional<nc::Function> function = nc::find_function(name);
         function && *function != nc::Function::None && *function != nc::Function::Cycle &&
-        !nc::has_fact(*function, nc::Fact::ReadOnly)) {
+        !nc::is_no_command(*function)) {
         return call_vocabulary(check, nc::info(*function), expr);
     }
     if (found.symbol >= 0 || found.name != nullptr) {

@@ -226,6 +226,7 @@ inline constexpr std::uint32_t kDirection = 2097152;   // the direction of the t
 inline constexpr std::uint32_t kFeedOfAxes = 4194304;  // F is meant over rotary axes, too
 inline constexpr std::uint32_t kMirrorReplaces = 16777216;  // a further mirror goes on mirroring
 inline constexpr std::uint32_t kFrameOfSource = 8388608;    // a frame in the words of its control
+inline constexpr std::uint32_t kDrawn = 33554432;  // corners, angles, poles, polar coordinates
 }  // namespace custom
 
 /// A block without its values: what the words mean before the program runs.

@@ -86,7 +86,7 @@ namespace {
 /// The functions of the vocabulary that hold until another one: `work_offset(2)`.
 const nc::FunctionInfo* modal_function(std::string_view name) {
     const std::optional<nc::Function> function = nc::find_function(name);
-    if (!function || *function == nc::Function::None || nc::has_fact(*function, nc::Fact::ReadOnly))
+    if (!function || *function == nc::Function::None || nc::is_no_command(*function))
         return nullptr;
     const nc::FunctionInfo& info = nc::info(*function);
     return info.group == nc::Group::NonModal ? nullptr : &info;

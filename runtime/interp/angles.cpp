@@ -1,5 +1,5 @@
 // angles.cpp — contours by angles: ends of lines that follow from directions.
-#include <cmath>
+#include <optional>
 
 #include "base/diagnostics/iso.h"
 #include "base/units.h"
@@ -7,6 +7,7 @@
 #include "interp/executor.h"
 #include "interp/motions.h"
 #include "interp/stages.h"
+#include "path/angled_line.h"
 
 namespace kadr::interp {
 
@@ -16,7 +17,6 @@ using nc::Group;
 using nc::parameter_of;
 using nc::Slot;
 using nc::SlotMask;
-using path::cross;
 using path::Vec2;
 
 namespace {
@@ -74,19 +74,15 @@ void Executor::close_line(const Block& block) {
     const Vec2 from{position_.here()[index(axes.first)], position_.here()[index(axes.second)]};
     const Vec2 to{block.at(slots[0]) * axes_.word_scale[index(axes.first)],
                   block.at(slots[1]) * axes_.word_scale[index(axes.second)]};
-    const Vec2 out = direction_at(first.argument(*first.find(Function::ContourAngle), kAngle));
-    const Vec2 in = direction_at(block.argument(*angle, kAngle));
-    const double w = cross(out, in);
-    // Both directions go forward.
-    const double along = std::abs(w) < kParallelLines ? -1 : cross(to - from, in) / w;
-    const double beyond = std::abs(w) < kParallelLines ? -1 : cross(out, to - from) / w;
-    if (!(along > 0) || !(beyond > 0)) {
+    const Vec2 out = path::unit_at(first.argument(*first.find(Function::ContourAngle), kAngle));
+    const Vec2 in = path::unit_at(block.argument(*angle, kAngle));
+    const std::optional<Vec2> corner = path::meeting_point(from, out, to, in);
+    if (!corner) {
         reporter_.report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return;
     }
-    const Vec2 corner = from + along * out;
-    channel_.motions.motion_words().set_coordinate(first, axes.first, corner.x());
-    channel_.motions.motion_words().set_coordinate(first, axes.second, corner.y());
+    channel_.motions.motion_words().set_coordinate(first, axes.first, corner->x());
+    channel_.motions.motion_words().set_coordinate(first, axes.second, corner->y());
     run(first);
     channel_.stages.settle(first);
     if (!reporter_.has_ended()) run(block);

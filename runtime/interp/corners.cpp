@@ -290,33 +290,19 @@ Corners::Fault Corners::check_sides(const path::Motion& next, const Element& a,
 }
 
 std::optional<CornerCut> Corners::cut(const Element& a, const Element& b, Fault& fault) {
-    const double size = held_wish_.size;
-    std::optional<CornerCut> found;
-    double made = size;
-    if (held_wish_.kind == CornerWish::Kind::Round) {
-        found = path::rounding(a, b, size);
-        if (!found && !settings_.is_strict) {
-            made = path::greatest_rounding(a, b, size);
-            if (made > path::kSamePoint) found = path::rounding(a, b, made);
-        }
-    } else {
-        const bool is_length = held_wish_.kind == CornerWish::Kind::Length;
-        const std::optional<double> width =
-            is_length ? path::chamfer_width(a, b, size) : std::optional(size);
-        const double widest =
-            is_length ? path::width_of_longest_chamfer(a, b) : path::widest_chamfer(a, b);
-        if (width && *width <= widest + path::kSamePoint)
-            found = path::chamfer(a, b, std::min(*width, widest));
-        if (!found && !settings_.is_strict) {
-            found = path::chamfer(a, b, widest);
-            if (found && path::length(found->piece) < path::kSamePoint) found.reset();
-            if (found) made = is_length ? path::length(found->piece) : widest;
-        }
+    using Kind = path::CornerShape::Kind;
+    path::CornerShape shape{Kind::Rounding, held_wish_.size};
+    if (held_wish_.kind == CornerWish::Kind::Length) shape.kind = Kind::ChamferLength;
+    if (held_wish_.kind == CornerWish::Kind::Width) shape.kind = Kind::ChamferWidth;
+    const auto made = path::made_corner(a, b, shape, !settings_.is_strict);
+    if (!made) {
+        if (!held_wish_.is_modal) fault = &diag::CornerTooLarge;
+        return std::nullopt;
     }
-    if (!found && !held_wish_.is_modal) fault = &diag::CornerTooLarge;
-    if (found && made < size && !held_wish_.is_modal)
-        warnings_.push_back({&diag::CornerReduced, source_, round_to(made, 4), round_to(size, 4)});
-    return found;
+    if (made->size < shape.size && !held_wish_.is_modal)
+        warnings_.push_back(
+            {&diag::CornerReduced, source_, round_to(made->size, 4), round_to(shape.size, 4)});
+    return made->cut;
 }
 
 /// The motion before the corner ends earlier, and what stands behind it happens there.

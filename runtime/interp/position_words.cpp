@@ -7,6 +7,7 @@
 #include "base/units.h"
 #include "interp/block_words.h"
 #include "nc/parameters.h"
+#include "path/angled_line.h"
 
 namespace kadr::interp {
 
@@ -18,13 +19,6 @@ using nc::Slot;
 using nc::SlotMask;
 using path::cross;
 using path::Vec2;
-
-namespace {}  // namespace
-
-Vec2 direction_at(double angle_deg) {
-    const double angle = rad_from_deg(angle_deg);
-    return {std::cos(angle), std::sin(angle)};
-}
 
 void PositionWords::leave_plane() {
     polar_.pole = Vec2::Zero();
@@ -275,7 +269,7 @@ const Block* PositionWords::with_angle(const Block& block, const nc::Invocation&
     const Vec2 from = words.position_in_plane();
     const Vec2 to{said.here[index(plane.first)], said.here[index(plane.second)]};
     const Vec2 along =
-        direction_at(block.argument(angle, parameter_of<Function::ContourAngle>("angle")));
+        path::unit_at(block.argument(angle, parameter_of<Function::ContourAngle>("angle")));
     const bool has_first = block.has(nc::slot_of(plane.first));
     const bool has_second = block.has(nc::slot_of(plane.second));
     if (has_first && has_second) {
@@ -285,18 +279,15 @@ const Block* PositionWords::with_angle(const Block& block, const nc::Invocation&
         words.reporter().report(diag::AngleAndEnd, block, Function::ContourAngle);
         return nullptr;
     }
-    const Vec2 delta = to - from;
-    const double part = has_first ? along.x() : along.y();
-    const double length =
-        std::abs(part) < kParallelLines ? -1 : (has_first ? delta.x() : delta.y()) / part;
-    if (!(length >= 0)) {
+    const Eigen::Index given = has_first ? 0 : 1;
+    const std::optional<Vec2> end = path::end_at(from, along, given, to[given]);
+    if (!end) {
         words.reporter().report(diag::AngleWithoutCorner, block, Function::ContourAngle);
         return nullptr;
     }
     cartesian_ = block;
     const Axis open = has_first ? plane.second : plane.first;
-    const Vec2 end = from + length * along;
-    words.set_coordinate(cartesian_, open, has_first ? end.y() : end.x());
+    words.set_coordinate(cartesian_, open, (*end)[1 - given]);
     return &cartesian_;
 }
 

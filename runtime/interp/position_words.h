@@ -46,10 +46,6 @@ class PositionWords {
     std::optional<nc::Block> original_;  // what `cartesian_` was made of, by words of the axes
 };
 
-/// The direction in a plane at an angle.
-path::Vec2 direction_at(double angle_deg);
 inline constexpr double kFullTurn = 360;  // deg
-/// Sine of the angle below which two directions are one.
-inline constexpr double kParallelLines = 1e-9;
 
 }  // namespace kadr::interp

@@ -190,7 +190,8 @@ class BlockPlanner {
         }
         for (std::size_t i = 0; i < match.claim_count; ++i) {
             const Claim& claim = match.claims[i];
-            if (claim.is_parameter || (kReadSlots >> claim.index & 1u) == 0) continue;
+            constexpr SlotMask kRefused = kReadSlots & ~kPolarSlots;
+            if (claim.is_parameter || (kRefused >> claim.index & 1u) == 0) continue;
             report_read_only(words_[source_[claim.word]]);
             return kFailed;
         }

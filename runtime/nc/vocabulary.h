@@ -97,6 +97,10 @@ inline constexpr std::array<Facts, kFunctions> kFacts = [] {
 constexpr bool has_fact(Function function, Fact fact) {
     return kFacts[static_cast<std::size_t>(function)].has(fact);
 }
+/// Whether no statement of a source calls it as a command: `corner_round(5mm);`.
+constexpr bool is_no_command(Function function) {
+    return has_fact(function, Fact::ReadOnly) || has_fact(function, Fact::Resolved);
+}
 
 inline constexpr std::array<Group, kFunctions> kGroupOf = {{
 #define KADR_FUNCTION(id, name, group, facts, parameters, meaning) Group::group,

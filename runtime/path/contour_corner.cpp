@@ -230,4 +230,36 @@ double greatest_rounding(const Element& a, const Element& b, double most) {
     return low;
 }
 
+namespace {
+
+std::optional<MadeCorner> made_rounding(const Element& a, const Element& b, double radius,
+                                        bool may_shrink) {
+    if (const auto found = rounding(a, b, radius)) return MadeCorner{*found, radius};
+    const double most = may_shrink ? greatest_rounding(a, b, radius) : 0;
+    if (!(most > kSamePoint)) return std::nullopt;
+    const auto found = rounding(a, b, most);
+    if (!found) return std::nullopt;
+    return MadeCorner{*found, most};
+}
+
+}  // namespace
+
+std::optional<MadeCorner> made_corner(const Element& a, const Element& b, const CornerShape& shape,
+                                      bool may_shrink) {
+    if (shape.kind == CornerShape::Kind::Rounding)
+        return made_rounding(a, b, shape.size, may_shrink);
+    const bool is_length = shape.kind == CornerShape::Kind::ChamferLength;
+    const std::optional<double> width =
+        is_length ? chamfer_width(a, b, shape.size) : std::optional(shape.size);
+    const double widest = is_length ? width_of_longest_chamfer(a, b) : widest_chamfer(a, b);
+    if (width && *width <= widest + kSamePoint) {
+        if (const auto found = chamfer(a, b, std::min(*width, widest)))
+            return MadeCorner{*found, shape.size};
+    }
+    if (!may_shrink) return std::nullopt;
+    const auto found = chamfer(a, b, widest);
+    if (!found || length(found->piece) < kSamePoint) return std::nullopt;
+    return MadeCorner{*found, is_length ? length(found->piece) : widest};
+}
+
 }  // namespace kadr::path

@@ -5,6 +5,7 @@
 // before and behind it, is the caller's matter.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "path/contour.h"
@@ -41,5 +42,20 @@ std::optional<double> chamfer_width(const Element& a, const Element& b, double l
 std::optional<CornerCut> rounding(const Element& a, const Element& b, double radius);
 /// The greatest radius up to `most` that fits, 0 if none does.
 double greatest_rounding(const Element& a, const Element& b, double most);
+
+/// What a corner is to become, and how large.
+struct CornerShape {
+    enum class Kind : std::uint8_t { ChamferLength, ChamferWidth, Rounding };
+    Kind kind = Kind::Rounding;
+    double size = 0;  // length, width or radius, mm
+};
+struct MadeCorner {
+    CornerCut cut;
+    double size = 0;  // as it was made, mm
+};
+/// The corner as it is wanted. Where it does not fit: the greatest that does, if it may shrink;
+/// else, and where there is none, nothing.
+std::optional<MadeCorner> made_corner(const Element& a, const Element& b, const CornerShape& shape,
+                                      bool may_shrink);
 
 }  // namespace kadr::path
