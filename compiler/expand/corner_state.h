@@ -49,6 +49,7 @@ struct WaitingSide {
     path::Element element;
     SideState state;
     bool begins_compensation = false;
+    bool is_incremental = false;  // its words, by the dimensions of then
 };
 
 /// Of the blocks of the program; a contour that is made has its own.

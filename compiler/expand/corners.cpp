@@ -43,6 +43,10 @@ SideState state_of(const Running& run) {
             run.modal.work_offset, run.modal.tool.in()};
 }
 
+bool is_incremental_now(const Running& run) {
+    return run.modal[Group::Distance] == Function::Incremental;
+}
+
 SlotMask slots_in_plane(const PlaneIndices& axes) {
     return SlotMask{1} << axes.first | SlotMask{1} << axes.second;
 }
@@ -119,11 +123,10 @@ void say_native(Block& block, const CornerShape& shape) {
 
 /// The block travels this element. Words of its end: those that it had, and those that differ from
 /// where it begins.
-void say_element(const Running& run, Block& block, const Element& element) {
+void say_element(const Running& run, Block& block, const Element& element, bool is_incremental) {
     const Wording wording = wording_now(run);
     const PlaneIndices axes = wording.axes();
     const std::size_t plane_axes[2] = {axes.first, axes.second};
-    const bool is_incremental = run.modal[Group::Distance] == Function::Incremental;
     const Vec2 words = wording.words(element.to);
     block.motion = !element.is_arc()   ? Function::Line
                    : element.sweep > 0 ? Function::ArcCcw
@@ -160,9 +163,10 @@ void say_nothing(const Running& run, Block& block) {
 /// Returns the place that it has then.
 std::size_t resolve(Running& run, const WaitingSide& waiting, const CornerCut& cut,
                     const Element& rest, std::size_t second) {
+    const bool is_incremental = is_incremental_now(run);
     Block piece{};
     piece.source = run.batch.held(0).source;
-    say_element(run, piece, cut.piece);
+    say_element(run, piece, cut.piece, is_incremental);
     Block& first = run.batch.held(0);
     if (first.find(Function::ExactStopOnce) != nullptr) piece.add(Function::ExactStopOnce);
     Block& behind = run.batch.held(second);
@@ -171,12 +175,12 @@ std::size_t resolve(Running& run, const WaitingSide& waiting, const CornerCut& c
         piece.feed_of_all_axes = behind.feed_of_all_axes;
         behind.given &= ~nc::bit(nc::Slot::Feed);
     }
-    if (is_there(rest)) say_element(run, behind, rest);
+    if (is_there(rest)) say_element(run, behind, rest, is_incremental);
     else say_nothing(run, behind);
     erase_corner(first);
     const Element left = path::part(waiting.element, 0, cut.leaves);
     if (is_there(left)) {
-        say_element(run, first, left);
+        say_element(run, first, left, waiting.is_incremental);
     } else {
         say_nothing(run, first);
         first.motion = Function::None;
@@ -265,7 +269,8 @@ Done take_side(Running& run, Element element, const std::optional<WantedCorner>&
     if (corner) {
         if (run.batch.is_holding()) run.batch.settle_first(place);
         else run.batch.hold_last();
-        run.corners.waiting = WaitingSide{*corner, element, state_of(run), begins_compensation};
+        run.corners.waiting = WaitingSide{*corner, element, state_of(run), begins_compensation,
+                                          is_incremental_now(run)};
     } else if (run.batch.is_holding()) {
         run.batch.settle_first(place + 1);
     }
@@ -278,7 +283,7 @@ Done take_first_line(Running& run) {
     const auto corner = std::exchange(run.corners.of_closed, std::nullopt);
     const std::size_t place = run.batch.held() - 2;
     Block& block = run.batch.held(place);
-    say_element(run, block, line);
+    say_element(run, block, line, is_incremental_now(run));
     if (run.corners.waiting || corner) {
         const std::string why = why_no_side(run, block);
         if (!why.empty())

@@ -277,6 +277,7 @@ class DrawnWords {
             open = OpenLine{angle_deg, *from, run_.corners.wanted, where(Function::ContourAngle)};
             run_.corners.wanted.reset();
             run_.corners.opens = true;
+            block_.motion = Function::Line;  // no empty block: its end comes
             run_.modal.position.lose(static_cast<AxisMask>(1u << axes_.first | 1u << axes_.second));
             return kDone;
         }

@@ -1,5 +1,6 @@
 // `kadr compare`: one source for two controls, two programs, and what it says when they differ.
 #include <string>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,24 @@ TEST_F(Compare, OneSourceMovesAlikeOnTwoControls) {
     EXPECT_LT(said["distance_mm"], 0.003);
     const auto text = kadr({"compare", kFlange, "-d", "sinumerik", "-d", "fanuc"});
     EXPECT_NE(text.out.find("the same motion within 0.003 mm"), std::string::npos) << text.out;
+}
+
+/// Corners, angles and polar coordinates: words of the control, or lines, arcs and coordinates.
+TEST_F(Compare, CornersAreTheSameMotionOnEveryControl) {
+    const std::string folder = std::string(KADR_ROOT) + "/tests/programs/";
+    for (const char* name : {"corners", "angles_and_poles", "corners_in_contours",
+                             "corners_of_a_source", "corners_diameter_sinumerik"}) {
+        for (const char* control : {"sinumerik", "fanuc", "axioma"}) {
+            const bool is_lathe = std::string_view(name).find("diameter") != std::string::npos;
+            if (is_lathe && std::string_view(control) == "fanuc") continue;  // X is a radius there
+            const auto result = kadr({"compare", folder + name + ".kadr", "-d", "iso", "-d",
+                                      control, "--summary", "json"});
+            ASSERT_EQ(result.status, 0) << name << ' ' << control << result.out << result.err;
+            const json said = json::parse(result.out);
+            EXPECT_EQ(said["same"], true) << name << ' ' << control;
+            EXPECT_LT(said["distance_mm"], 0.003) << name << ' ' << control;
+        }
+    }
 }
 
 /// Behind a transformation the same place has other coordinates, and no axis moves: a millimetre's
