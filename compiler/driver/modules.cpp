@@ -204,8 +204,7 @@ std::optional<sema::ModuleLoader::ControlCommand> Modules::command_of_control(
         const auto command = nc::command_of_word(*dialect, word);
         if (!command) continue;
         const std::string_view name = command->is_call ? "" : nc::info(command->function).name;
-        const bool can_be_given =
-            command->is_call || !nc::is_no_command(command->function);
+        const bool can_be_given = command->is_call || !nc::is_no_command(command->function);
         if (can_be_given) return ControlCommand{std::string(name), std::string(dialect->name())};
     }
     return std::nullopt;

@@ -214,8 +214,8 @@ void Proposals::add_parameters(std::string_view function) {
 void Proposals::add_language(const syntax::KeywordTable* keywords) {
     for (const std::string_view name : builtin_names()) add(Proposal::Kind::Builtin, name);
     for (const nc::FunctionInfo& info : nc::all_functions()) {
-        const bool is_callable = info.function != nc::Function::Cycle &&
-                                 !nc::is_no_command(info.function);
+        const bool is_callable =
+            info.function != nc::Function::Cycle && !nc::is_no_command(info.function);
         if (is_callable) add(Proposal::Kind::Command, info.name);
     }
     for (const nc::Address& address : checked_.files[file_].dialect->tables().addresses)

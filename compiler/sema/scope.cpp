@@ -139,8 +139,7 @@ std::vector<std::string_view> known_names(const Check& check, bool functions) {
         names.insert(names.end(), builtins.begin(), builtins.end());
         for (const nc::FunctionInfo& info : nc::all_functions()) {
             const bool is_callable = info.function != nc::Function::Cycle &&
-                                     !nc::is_no_command(info.function) &&
-                                     !info.name.empty();
+                                     !nc::is_no_command(info.function) && !info.name.empty();
             if (is_callable) names.push_back(info.name);
         }
     } else {
