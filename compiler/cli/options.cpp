@@ -150,6 +150,7 @@ class Parser {
     void add_dialect(CLI::App& command);
     void add_program(CLI::App& command);
     void add_include(CLI::App& command);
+    void add_tools(CLI::App& command);
     void add_search(CLI::App& command);
     void add_inputs(CLI::App& command);
     void add_call(CLI::App& command);
@@ -261,6 +262,13 @@ void Parser::add_program(CLI::App& command) {
         ->type_name("NAME");
 }
 
+void Parser::add_tools(CLI::App& command) {
+    command
+        .add_option("--tools", line_.options.tools,
+                    "tool library, CSV or XML; else the machine file may name one")
+        ->type_name("FILE");
+}
+
 void Parser::add_search(CLI::App& command) {
     command
         .add_option("--search", line_.options.search,
@@ -343,6 +351,7 @@ void Parser::add_expand() {
             "machine for which tilted planes are worked out and dangers are looked for: a name "
             "or an XML file")
         ->type_name("MACHINE");
+    add_tools(*command);
     add_program(*command);
     add_expansion(*command);
     add_writing(*command);
@@ -356,6 +365,7 @@ void Parser::add_run() {
     add_dialect(*command);
     command->add_option("-m,--machine", options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
+    add_tools(*command);
     add_search(*command);
     add_inputs(*command);
     add_call(*command);
@@ -411,6 +421,7 @@ void Parser::add_compare() {
         ->allow_extra_args(false);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
+    add_tools(*command);
     command->add_option("--tolerance", tolerance_, "how far the paths may be apart")
         ->type_name("LENGTH");
     add_search(*command);
@@ -432,6 +443,7 @@ void Parser::add_check() {
     add_call(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
+    add_tools(*command);
     add_include(*command);
     add_limits(*command);
 }
@@ -442,6 +454,7 @@ void Parser::add_test() {
     add_dialect(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
+    add_tools(*command);
     command->add_option("--filter", line_.test.filter, "only tests with this in their name")
         ->type_name("TEXT");
     command->add_option("--runs", line_.test.runs, "sets of values of each property")
@@ -467,6 +480,7 @@ void Parser::add_repl() {
     add_dialect(*command);
     command->add_option("-m,--machine", line_.options.machine, "machine: a name or an XML file")
         ->type_name("MACHINE");
+    add_tools(*command);
     add_include(*command);
 }
 

@@ -240,6 +240,7 @@ std::unique_ptr<Execution> Execution::open(Session& session, const std::string& 
             ? execution->open_program(keep_source(session, source, *text), aside.tap)
             : execution->open_text(source, std::move(text));
     if (!opened || !execution->open_inputs()) return nullptr;
+    execution->machine_ = session.machine();  // with the tools that the program imports
     execution->connect_with_library();
     return execution;
 }
@@ -330,6 +331,7 @@ std::unique_ptr<Execution> Execution::open(Session& session, FileId program,
     if (execution->machine_ == nullptr) return nullptr;
     if (!execution->open_program(program, std::move(tap)) || !execution->open_inputs())
         return nullptr;
+    execution->machine_ = session.machine();  // with the tools that the program imports
     execution->connect_with_library();
     return execution;
 }

@@ -138,6 +138,18 @@ Modules::Module Modules::load(std::string_view import, bool is_file, FileId from
     return {};
 }
 
+/// Beside the importing file or in the folders of the options, as a module.
+Done Modules::load_tools(std::string_view file, FileId from, const SourceRange& location) {
+    if (!session_.options().tools.empty()) return Done(session_.tools() != nullptr);
+    const std::string relative(file);
+    const std::optional<std::string> path = find_in(folders_for(from), relative, session_.files());
+    if (!path) {
+        report_missing(file, relative, from, location);
+        return kFailed;
+    }
+    return session_.import_tools(*path, location);
+}
+
 /// A file may be named by mistake, or by somebody who wants to see it in messages: one that does
 /// not call itself a Kadr program is shown only if it is one.
 Modules::Module Modules::take_import(const std::string& path, std::string content,

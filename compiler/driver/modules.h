@@ -25,6 +25,8 @@ class Modules final : public sema::ModuleLoader {
     Module load(std::string_view import, bool is_file, FileId from,
                 const SourceRange& location) override;
 
+    Done load_tools(std::string_view file, FileId from, const SourceRange& location) override;
+
     std::optional<std::string> library_module_of(std::string_view function) override;
     std::optional<ControlCycle> cycle_of_control(std::string_view word) override;
     std::optional<ControlCommand> command_of_control(std::string_view word) override;

@@ -34,6 +34,7 @@ inline constexpr std::uint64_t kMaxBlocks = 20'000'000;
 struct Options {
     std::string dialect;                // name or file; empty: as the source suggests
     std::string machine;                // name or file; empty: the stock mill
+    std::string tools;                  // file of the tool library; empty: the machine's, if any
     bool has_stand_in_tools = false;    // its tools are nobody's: calls may name other cutters
     std::string program;                // which program of the file; empty: the only one
     std::vector<sema::Define> defines;  // values of the program's parameters

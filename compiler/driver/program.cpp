@@ -45,6 +45,8 @@ std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main, 
     KadrProgram program;
     program.modules = std::make_unique<Modules>(session);
     FileId& file = program.file;
+    // A library with mistakes is reported as such, not as tools that it has not.
+    if (!session.options().tools.empty() && session.tools() == nullptr) return std::nullopt;
     const auto [ast, dialect] = take_main(*program.modules, file);
     if (ast == nullptr) {
         (void)require_time(session, file);  // beside what the parser has reported
@@ -53,6 +55,7 @@ std::optional<KadrProgram> checked(Session& session, const TakeMain& take_main, 
     sema::CheckOptions options = session.options().check;
     options.access = &session.access();
     options.keeps_names = keeps_names;
+    options.tools = [&session] { return session.tools(); };
     options.is_over = [&session] { return session.deadline().is_over(); };
     sema::CheckResult result = sema::check(*ast, *dialect, *program.modules, session.sources(),
                                            session.messages(), options);

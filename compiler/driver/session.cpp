@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "base/diagnostics/driver.h"
+#include "base/diagnostics/tools.h"
 #include "base/text.h"
 #include "driver/pipeline_stages.h"
 
@@ -193,9 +194,44 @@ const machine::Machine* Session::machine() {
         OriginSink sink(messages_, {}, option);
         if (loaded != nullptr && !require_modules(loaded->machine, sink)) loaded.reset();
         if (loaded == nullptr) mark_usage();
-        machine_ = std::move(loaded);
+        bare_machine_ = machine_ = std::move(loaded);
+        if (machine_ != nullptr && tools() != nullptr) equip_machine();
     }
     return machine_ == nullptr ? nullptr : &machine_->machine;
+}
+
+void Session::equip_machine() {
+    auto equipped = std::make_shared<machine::DescribedMachine>(*bare_machine_);
+    machine::add_tools(equipped->machine, *tools_, messages_);
+    machine_ = std::move(equipped);
+}
+
+const machine::ToolLibrary* Session::tools() {
+    const bool is_option = !options_.tools.empty();
+    // A machine that is being loaded asks for the library when its file is read.
+    if (!is_option && !options_.machine.empty()) (void)machine();
+    if (tools_were_loaded_) return tools_.get();
+    tools_were_loaded_ = true;
+    const std::string file = is_option ? options_.tools : machine_data().tools;
+    if (file.empty()) return nullptr;
+    tools_ = admit_load(inputs_.tools(file), is_option ? file : options_.machine, {},
+                        is_option ? "--tools" : "");
+    if (tools_ == nullptr) mark_usage();
+    return tools_.get();
+}
+
+Done Session::import_tools(const std::string& file, const SourceRange& location) {
+    if (!imported_tools_.empty() && imported_tools_ != file) {
+        messages_.report(diag::ToolsTwice, location).arg(file).arg(imported_tools_);
+        return kFailed;
+    }
+    if (imported_tools_ == file) return Done(tools_ != nullptr);
+    imported_tools_ = file;
+    tools_were_loaded_ = true;
+    tools_ = admit_load(inputs_.tools(file), "", location, "");
+    if (tools_ == nullptr) return kFailed;
+    if (bare_machine_ != nullptr) equip_machine();
+    return kDone;
 }
 
 Done Session::require_output_room() {

@@ -93,8 +93,15 @@ class Session {
     const nc::Dialect* chosen_dialect(const std::string& otherwise);
     /// The stock machine for the dialect of the options: a lathe for the control of a lathe.
     std::string stock_machine();
-    /// The machine of the options, or the stock one; null, with messages, if it has mistakes.
+    /// The machine of the options, or the stock one, with the tools of the library; null, with
+    /// messages, if it has mistakes.
     const machine::Machine* machine();
+    /// The tool library of the options, else the one that the machine of the options names; null:
+    /// none is named, or, with messages, it has mistakes.
+    const machine::ToolLibrary* tools();
+    /// A program imports the library in this file; that of the options would stand in for it, that
+    /// of a machine stands back. Not done: reported.
+    Done import_tools(const std::string& file, const SourceRange& location);
     /// What it gives to programs; behind `machine`, which has loaded it.
     const machine::MachineData& machine_data() const {
         static const machine::MachineData none;
@@ -117,6 +124,7 @@ class Session {
 
   private:
     bool is_of_share(const std::string& name) const;
+    void equip_machine();
     Done admit(const std::string& file, const std::string& beside, const SourceRange& location);
     Done admit_since(std::size_t first, const std::string& beside);
     template <typename T>
@@ -133,8 +141,12 @@ class Session {
     // Each is looked for once; null: it has mistakes, which have been reported.
     std::map<std::string, std::shared_ptr<const nc::Dialect>> dialects_;
     std::map<std::string, std::shared_ptr<const syntax::KeywordTable>> keywords_;
-    std::shared_ptr<const machine::DescribedMachine> machine_;
+    std::shared_ptr<const machine::DescribedMachine> bare_machine_;  // as its file has it
+    std::shared_ptr<const machine::DescribedMachine> machine_;  // with the tools of the library
+    std::shared_ptr<const machine::ToolLibrary> tools_;
     bool machine_was_loaded_ = false;
+    bool tools_were_loaded_ = false;
+    std::string imported_tools_;  // the file that a program has named
     bool is_usage_ = false;
     std::function<void(const Progress&)> progress_;
 };

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 
+#include "base/diagnostics/driver.h"
+#include "base/text.h"
+#include "sema/tool_table.h"
+
 namespace kadr::driver {
 
 SharedInputs::SharedInputs(Files& files, Share share)
@@ -44,6 +48,19 @@ SharedLoad<syntax::KeywordTable> SharedInputs::keywords(const std::string& name_
 SharedLoad<machine::DescribedMachine> SharedInputs::machine(const std::string& name_or_file) {
     return load(machines_[name_or_file], [&](DiagnosticSink& sink) {
         return machine::load_described_machine(name_or_file, share_.machines, sources_, sink);
+    });
+}
+
+SharedLoad<machine::ToolLibrary> SharedInputs::tools(const std::string& file) {
+    return load(tools_[file], [&](DiagnosticSink& sink) -> std::optional<machine::ToolLibrary> {
+        const auto text = sources_.read(file);
+        if (!text) {
+            sink.report(diag::FileUnreadable).arg(file);
+            return std::nullopt;
+        }
+        return upper_ascii(file).ends_with(".XML")
+                   ? machine::load_tool_library(*text, sources_, sink)
+                   : sema::read_tool_table(*text, sources_, sink);
     });
 }
 

@@ -19,6 +19,7 @@
 #include "driver/asked_files.h"
 #include "driver/share.h"
 #include "machine/described_machine.h"
+#include "machine/tool_library.h"
 #include "nc/dialect.h"
 #include "nc/dialect_on_machine.h"
 #include "syntax/parse.h"
@@ -88,6 +89,8 @@ class SharedInputs {
     SharedLoad<nc::Dialect> dialect(nc::MachineKind kind, const std::string& name_or_file);
     SharedLoad<syntax::KeywordTable> keywords(const std::string& name_or_file);
     SharedLoad<machine::DescribedMachine> machine(const std::string& name_or_file);
+    /// A tool library: XML by the ending of its name, else a table.
+    SharedLoad<machine::ToolLibrary> tools(const std::string& file);
 
     /// The file at `path` with this content, as the last one who asked left it.
     std::shared_ptr<SharedTree> tree(const std::string& path, std::string content);
@@ -109,6 +112,7 @@ class SharedInputs {
     std::map<std::pair<nc::MachineKind, std::string>, SharedLoad<nc::Dialect>> dialects_;
     std::map<std::string, SharedLoad<syntax::KeywordTable>> keywords_;
     std::map<std::string, SharedLoad<machine::DescribedMachine>> machines_;
+    std::map<std::string, SharedLoad<machine::ToolLibrary>> tools_;
     std::map<std::string, std::shared_ptr<SharedTree>> trees_;  // by path
     std::size_t loads_ = 0;
 };

@@ -103,7 +103,11 @@ void put_tools(std::string& out, const std::vector<ToolShare>& tools) {
     if (tools.size() < 2) return;
     put(out, "\n  {:<14}{:<16}{:<16}{:>10}\n", "tool", "time", "cutting", "path");
     for (const ToolShare& tool : tools)
-        put_row_of_work(out, tool.tool == 0 ? "none" : "T" + std::to_string(tool.tool), tool.share);
+        put_row_of_work(out,
+                        tool.tool == 0 ? "none"
+                                       : "T" + std::to_string(tool.tool) +
+                                             (tool.name.empty() ? "" : " " + tool.name),
+                        tool.share);
 }
 
 void put_cycles(std::string& out, const std::vector<CycleShare>& cycles) {
@@ -136,6 +140,7 @@ void put_work(JsonWriter& json, const RunFigures& figures) {
     const auto put_tool = [&](const ToolShare& tool) {
         json.object([&] {
             json.key("tool").value(tool.tool);
+            if (!tool.name.empty()) json.key("name").value(tool.name);
             put_share(json, tool.share);
         });
     };

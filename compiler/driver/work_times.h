@@ -23,6 +23,7 @@ struct WorkShare {
 struct ToolShare {
     std::int64_t tool = 0;  // 0: before the first call, or none
     WorkShare share;
+    std::string name{};  // of the tool library; empty: it has it not, or there is none
 };
 
 struct CycleShare {

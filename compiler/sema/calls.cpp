@@ -19,6 +19,7 @@
 #include "sema/csv.h"
 #include "sema/cycle_blocks.h"
 #include "sema/expressions.h"
+#include "sema/library_tools.h"
 #include "sema/lvalues.h"
 #include "sema/optionals.h"
 #include "sema/picture.h"
@@ -368,6 +369,8 @@ Value call_vocabulary(Check& check, const nc::FunctionInfo& info, const Expr& ex
         } else {
             const Reg inner = check.emit.mark();
             Value value = expression(check, (*bound)[i]);
+            if (info.function == nc::Function::Tool && check.kind(value.type) == TypeKind::String)
+                value = called_tool(check, value, range);
             const std::optional<Value> named = named_axis(check, info, parameter, value, range);
             if (!named) {
                 check.emit.release_to(inner);

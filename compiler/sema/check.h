@@ -10,11 +10,16 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "base/done.h"
 #include "base/file_access.h"
 #include "nc/dialect.h"
 #include "sema/checked.h"
 #include "sema/code.h"
 #include "syntax/ast.h"
+
+namespace kadr::machine {
+struct ToolLibrary;
+}
 
 namespace kadr::sema {
 
@@ -30,6 +35,12 @@ class ModuleLoader {
     /// found or not parsed; the loader has reported it at `location`. The same file is loaded once.
     virtual Module load(std::string_view import, bool is_file, FileId from,
                         const SourceRange& location) = 0;
+    /// The tool library in a file, `tools.csv`, as seen from the file `from`, for
+    /// CheckOptions::tools. Not done: it cannot be read or has mistakes, which has been reported.
+    virtual Done load_tools(std::string_view /*file*/, FileId /*from*/,
+                            const SourceRange& /*location*/) {
+        return kFailed;
+    }
     /// The module of the library that declares this function or cycle, as an import names it; for
     /// messages. Nothing: none does, or there is no library.
     virtual std::optional<std::string> library_module_of(std::string_view /*function*/) {
@@ -74,6 +85,8 @@ struct CheckOptions {
     /// Whether the command has no time left; then there is no code, and whoever asked reports why.
     std::function<bool()> is_over = {};
     bool keeps_names = false;  // Code::names is filled
+    /// The tools that `tool("MILL_10")` means; asked when one is met. Empty, null: none are named.
+    std::function<const machine::ToolLibrary*()> tools = {};
 };
 
 struct CheckResult {

@@ -129,6 +129,7 @@ struct Reported {
     SourceRange ambiguous;        // name that was reported last
     SourceRange unit;             // apart from its number, reported last
     std::uint32_t proposals = 0;  // that were looked for in the library
+    bool no_tools = false;        // that no tool library is named
 };
 
 /// Whether there is time left; asked now and then.

@@ -8,6 +8,7 @@
 #include "sema/builtins.h"
 #include "sema/calls.h"
 #include "sema/checking.h"
+#include "sema/library_tools.h"
 #include "sema/lvalues.h"
 #include "sema/optionals.h"
 #include "sema/scope.h"
@@ -218,6 +219,11 @@ Value member(Check& check, ExprId id) {
             check.report(diag::UnknownMember, expr.range).arg(name).arg(check.text(expr.text));
             return error_value();
         }
+    }
+    if (asks_library(check, expr.child[0])) return library_value(check, id, expr.child[0], true);
+    if (owner.kind == ExprKind::Given && asks_library(check, owner.child[0])) {
+        const Value value = library_value(check, id, owner.child[0], false);
+        return check.type_info(value.type).is_optional ? is_given(check, value) : value;
     }
     if (owner.kind == ExprKind::Given) {
         // `given p.z` asks for the member: `given` binds looser than the point.

@@ -29,6 +29,7 @@ std::string_view trim(std::string_view text) {
 struct CsvCell {
     std::string text;
     std::uint32_t column = 1;  // first character, from 1
+    std::size_t begin = 0;     // in the line, bytes, behind a quote
 };
 
 /// One line into cells; `""` inside quotes is a quote. False: a quote is not closed.
@@ -46,6 +47,7 @@ bool split(std::string_view line, char separator, std::vector<CsvCell>& cells) {
         while (begin < line.size() && (line[begin] == ' ' || line[begin] == '\t')) ++begin;
         if (begin < line.size() && line[begin] == '"') {
             at = begin + 1;
+            cell.begin = at;
             while (true) {
                 if (at >= line.size()) return false;
                 if (line[at] == '"') {
@@ -58,6 +60,7 @@ bool split(std::string_view line, char separator, std::vector<CsvCell>& cells) {
         } else {
             const std::size_t end = std::min(line.find(separator, at), line.size());
             cell.text = trim(line.substr(at, end - at));
+            cell.begin = begin;
             at = end;
         }
         cells.push_back(std::move(cell));
@@ -68,8 +71,16 @@ bool split(std::string_view line, char separator, std::vector<CsvCell>& cells) {
 
 class TableReader {
   public:
-    TableReader(const TableSchema& schema, std::span<const EnumNames> enums, DiagnosticSink& sink)
-        : schema_(schema), enums_(enums), sink_(sink), bound_(schema.columns.size()) {
+    /// places  gets where cells stand; null: nobody asks
+    TableReader(const TableSchema& schema, std::span<const EnumNames> enums, DiagnosticSink& sink,
+                std::span<const BareUnit> bare = {},
+                std::vector<PlacedTable::Place>* places = nullptr)
+        : schema_(schema),
+          enums_(enums),
+          sink_(sink),
+          bare_(bare),
+          places_(places),
+          bound_(schema.columns.size()) {
         for (const TableColumn& column : schema.columns) by_name_.try_emplace(column.name, &column);
     }
 
@@ -77,6 +88,7 @@ class TableReader {
                                   const SourceRange& location) {
         file_ = file;
         location_ = location;
+        begin_ = text.data();
         if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
         bool has_header = false;
         while (!text.empty()) {
@@ -123,7 +135,7 @@ class TableReader {
         at.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, length));
         at.text = line_text_;
         DiagnosticBuilder builder = sink_.report(row, std::move(at));
-        builder.note(location_, "the table is read here");
+        if (location_.file.is_valid()) builder.note(location_, "the table is read here");
         return builder;
     }
 
@@ -133,6 +145,8 @@ class TableReader {
     };
 
     double factor_of(const TableColumn& column) const {
+        const auto own = std::ranges::find(bare_, std::string_view(column.name), &BareUnit::column);
+        if (own != bare_.end()) return own->factor;
         const Quantity quantity = column.kind == TableColumn::Kind::Feed    ? kFeedPerTime
                                   : column.kind == TableColumn::Kind::Speed ? kSpindleSpeed
                                                                             : column.quantity;
@@ -286,9 +300,22 @@ class TableReader {
             slot.integer = static_cast<std::int64_t>(rows_.texts.size());
             rows_.texts.push_back(column.initial_text);
         }
+        if (places_ != nullptr) keep_places(cells);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             if (columns_[i].column != nullptr)
                 cell(columns_[i], cells[i], rows_.slots[first + columns_[i].column->slot]);
+        }
+    }
+
+    void keep_places(const std::vector<CsvCell>& cells) {
+        const auto line = static_cast<std::size_t>(line_text_.data() - begin_);
+        const std::size_t first = places_->size();
+        places_->resize(first + schema_.columns.size());
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (columns_[i].column == nullptr) continue;
+            (*places_)[first + index_of(*columns_[i].column)] = {
+                static_cast<std::uint32_t>(line + cells[i].begin),
+                static_cast<std::uint32_t>(cells[i].text.size())};
         }
     }
 
@@ -371,6 +398,9 @@ class TableReader {
     const TableSchema& schema_;
     std::span<const EnumNames> enums_;
     DiagnosticSink& sink_;
+    std::span<const BareUnit> bare_;
+    std::vector<PlacedTable::Place>* places_;
+    const char* begin_ = nullptr;  // of the text
     std::string file_;
     SourceRange location_;
     std::string_view line_text_;
@@ -400,6 +430,17 @@ std::optional<TableRows> read_table(const TableSchema& schema, std::span<const E
         return std::nullopt;
     }
     return TableReader(schema, enums, sink).read(file, *text, location);
+}
+
+std::optional<PlacedTable> read_placed_table(const TableSchema& schema,
+                                             std::span<const BareUnit> bare,
+                                             const std::string& file, std::string_view text,
+                                             DiagnosticSink& sink) {
+    PlacedTable table;
+    auto rows = TableReader(schema, {}, sink, bare, &table.places).read(file, text, {});
+    if (!rows) return std::nullopt;
+    table.rows = *std::move(rows);
+    return table;
 }
 
 }  // namespace kadr::sema

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/diagnostics/sema.h"
+#include "base/text.h"
 #include "sema/checking.h"
 #include "sema/cycle_blocks.h"
 #include "sema/tests.h"
@@ -59,8 +60,19 @@ std::uint32_t load_module(Check& check, const syntax::Ast& ast, const nc::Dialec
 
 namespace {
 
+/// `import "tools.csv";` names the tool library.
+bool is_tool_library(const Decl& decl, std::string_view file) {
+    const std::string name = upper_ascii(file);
+    return decl.is_file && (name.ends_with(".CSV") || name.ends_with(".XML"));
+}
+
 void import_file(Check& check, std::uint32_t module, const Decl& decl) {
     const syntax::Ast& from = *check.names.module(module).ast;
+    if (is_tool_library(decl, from.text(decl.name))) {
+        if (!check.loader.load_tools(from.text(decl.name), from.file, decl.range))
+            ++check.sink.errors;  // the loader has reported why
+        return;
+    }
     const nc::Dialect& dialect = *check.names.module(module).dialect;
     const ModuleLoader::Module found =
         check.loader.load(from.text(decl.name), decl.is_file, from.file, decl.range);

@@ -10,6 +10,7 @@
 #include "sema/conditions.h"
 #include "sema/convert.h"
 #include "sema/globals.h"
+#include "sema/library_tools.h"
 #include "sema/lvalues.h"
 #include "sema/operators.h"
 #include "sema/optionals.h"
@@ -85,7 +86,10 @@ Value expression_kind(Check& check, ExprId id, Type expected, Reg hint) {
             const std::optional<Lvalue> found = lvalue(check, id);
             return found ? load(check, *found, expr.range, true, hint) : error_value();
         }
-        case ExprKind::Member: return member(check, id);
+        case ExprKind::Member:
+            return check.type_info(expected).is_optional && asks_library(check, expr.child[0])
+                       ? library_value(check, id, expr.child[0], false)
+                       : member(check, id);
         case ExprKind::Given: return given(check, expr);
         case ExprKind::Braces: return braces(check, id, expected, hint);
         case ExprKind::Range: {

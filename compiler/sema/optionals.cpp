@@ -9,6 +9,7 @@
 #include "sema/composites.h"
 #include "sema/convert.h"
 #include "sema/expressions.h"
+#include "sema/library_tools.h"
 #include "sema/lvalues.h"
 #include "sema/scope.h"
 #include "sema/texts.h"
@@ -82,6 +83,14 @@ Value given(Check& check, const Expr& expr) {
                 check.report(diag::AlwaysGiven, expr.range).arg(symbol.name);
                 return constant_integer(1, types::kBool);
             }
+        }
+    }
+    if (inner.kind == ExprKind::Member && asks_library(check, inner.child[0])) {
+        value = library_value(check, operand, inner.child[0], false);
+        if (!check.type_info(value.type).is_optional) {
+            if (!check.is_error(value))
+                check.report(diag::AlwaysGiven, expr.range).arg(check.sources.text(inner.range));
+            return constant_integer(1, types::kBool);
         }
     }
     if (value.form == Value::Form::None) {
@@ -175,6 +184,8 @@ Value unchecked_kind(Check& check, ExprId id) {
         return name_value(check, id, kNoReg);
     }
     if (expr.kind == ExprKind::Member) {
+        if (asks_library(check, expr.child[0]))
+            return library_value(check, id, expr.child[0], false);
         const Expr& owner = check.ast()[expr.child[0]];
         if (owner.kind == ExprKind::Name &&
             (check.text(owner.text) == "position" || check.text(owner.text) == "state") &&

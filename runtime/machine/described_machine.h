@@ -25,6 +25,7 @@ struct MachineData {
     std::vector<MachineDatum> data;          // in the order of the file
     std::map<std::string, Axis> axis_names;  // of axes as an index, besides AX1, X1 …
     std::optional<ProbeScene> probe;         // what its touch probe meets, if the file has one
+    std::string tools;                       // path of its tool library; empty: none is named
 };
 
 struct DescribedMachine {

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "base/units.h"
 #include "base/xml.h"
+#include "machine/counting_sink.h"
 #include "machine/described.h"
 #include "machine/described_machine.h"
 #include "machine/element_reader.h"
@@ -50,7 +51,8 @@ const XmlShape& machine_shape() {
           "tool_change_time",
           "corner_tolerance",
           "orientation_tolerance",
-          "compressor_tolerance"},
+          "compressor_tolerance",
+          "tools"},
          {"axis", "tool", "offset", "spindle_drive", "feed_drive", "cutting", "laser", "function",
           "scanner", "spindle", "kinematics", "pipeline", "data", "probe"}},
         {"axis",
@@ -197,6 +199,10 @@ class MachineBuilder {
         machine_.compressor_tolerance =
             reader.magnitude("compressor_tolerance", QuantityKind::Length)
                 .value_or(machine_.compressor_tolerance);
+        const fs::path tools = reader.text("tools");
+        if (!tools.empty())
+            machine_data_.tools =
+                (fs::path(sources_.name(root_.range.file)).parent_path() / tools).string();
     }
 
     void check_tick() {
@@ -527,21 +533,6 @@ class MachineBuilder {
     bool has_feed_drive_ = false;
     const XmlElement* pipeline_ = nullptr;
     Described described_{sink_};
-};
-
-/// Counts the errors that pass on their way to the real sink.
-class CountingSink final : public DiagnosticSink {
-  public:
-    explicit CountingSink(DiagnosticSink& sink) : sink_(sink) {}
-    void take(Diagnostic diagnostic) override {
-        if (diagnostic.severity != Severity::Warning) ++errors_;
-        sink_.take(std::move(diagnostic));
-    }
-    bool has_errors() const { return errors_ > 0; }
-
-  private:
-    DiagnosticSink& sink_;
-    std::size_t errors_ = 0;
 };
 
 std::optional<DescribedMachine> load_text(FileId file, Sources& sources, DiagnosticSink& sink) {

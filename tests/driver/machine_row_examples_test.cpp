@@ -189,6 +189,14 @@ class MachineRowExamples : public kadr::test::ScratchFolder {
                              "--diagnostics", "json"});
             return kadr::testing::messages_of(result.err);
         }
+        if (example.starts_with("number,")) {
+            const std::size_t remark = example.find("   (");
+            save("tools.csv", example.substr(0, remark) + '\n');
+            save("example.nc", "M30\n");
+            // A stock machine whose tool 1 has a radius of 10 mm.
+            return programmed_in({"run", file("example.nc"), "-d", "iso", "-m", "rotary-a",
+                                  "--tools", file("tools.csv")});
+        }
         if (example.starts_with("<")) {
             save("to50.csv", kTableHead + "-50,-50,0,0\n50,-50,0,0\n-50,50,0,0\n50,50,0,0\n");
             save("machine.xml", machine_of(example));

@@ -34,7 +34,7 @@ const std::map<std::string, std::set<std::string>> kFloors = {
     {"motion", {"base", "path", "machine"}},
     {"process", {"base", "path", "machine", "motion"}},
     {"syntax", {"base", "nc"}},
-    {"sema", {"base", "nc", "syntax"}},
+    {"sema", {"base", "nc", "machine", "syntax"}},
     {"expand", {"base", "nc", "path", "machine", "control", "syntax", "sema"}},
     {"plot", {"base", "path", "machine", "motion", "process"}},
     {"driver",

@@ -22,6 +22,12 @@ class SummaryOutput final : public RunOutput {
     void finish(const RunFigures& run) override {
         RunFigures figures = run;
         figures.tools = times_->tools();
+        if (const machine::ToolLibrary* library = parts_.session.tools()) {
+            for (ToolShare& tool : figures.tools) {
+                const machine::LibraryTool* known = library->find(tool.tool);
+                if (known != nullptr) tool.name = known->name;
+            }
+        }
         figures.cycles = times_->cycles();
         figures.longest = times_->longest(kLongest);
         const bool is_json = parts_.job.value_of("--summary") == "json";
