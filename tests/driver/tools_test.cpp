@@ -1,5 +1,5 @@
 // The tool library: what is wrong with a file and where, what programs ask of it, what a run makes
-// of it.
+// of it, and the set-up sheet.
 #include <string>
 #include <utility>
 #include <vector>
@@ -211,6 +211,48 @@ TEST_F(Tools, TheSummaryNamesThem) {
          "program p() { tool(3); S1000 M3; F500; G0 Z5; G1 X9; tool(5); S900 M3; G1 X5; M30; }\n");
     const auto run = kadr({"run", file("part.kadr"), "-d", "fanuc", "--tools", file("tools.csv")});
     EXPECT_TRUE(has(run.out, "T3 MILL_10")) << run.out;
+}
+
+TEST_F(Tools, TheSetupSheetHasWhatAPersonNeeds) {
+    save("part.kadr", R"(import cycles.drilling;
+import "tools.csv";
+program p(length deep = 12mm, int n = 2, string who = "a, b") {
+    work_offset(2);
+    tool("DRILL_5");
+    S=tool("DRILL_5").speed M3 F=tool("DRILL_5").feed;
+    G0 X0 Y0 Z20;
+    for (int i = 0; i < n; i++) { G0 X=i*10mm; drill(to: -deep); }
+    tool(3);
+    S1000 M3 F300;
+    G0 X0 Z5;
+    G1 Z-3;
+    G1 X50;
+    G0 Z20;
+    message(who);
+    M30;
+}
+)");
+    const auto sheet = [&](const std::string& name) {
+        const auto run = kadr(
+            {"run", file("part.kadr"), "-d", "fanuc", "-D", "n=3", "--setup-sheet", file(name)});
+        EXPECT_EQ(run.status, 0) << run.err;
+        return read_file(file(name)).value_or("");
+    };
+    const std::string text = sheet("sheet.md");
+    for (const char* piece :
+         {"| T5 | DRILL_5 | drill | – | 5 | – | 112 | 2 | -12 |",
+          "| T3 | MILL_10 | end mill | ER32 | 10 | – | 88 | 4 | -3 |", "| T5 | drill |",
+          "| T3 | lines and arcs of the program |", "| G55 | 0 |", "| deep | 12mm | 12mm |",
+          "| n | 3 ← | 2 |", "| who | \"a, b\" | \"a, b\" |", "| T5 DRILL_5 |", "| all |", "| X |",
+          "-1000 to 1000 mm"})
+        EXPECT_TRUE(has(text, piece)) << piece << " in\n" << text;
+    EXPECT_LT(text.find("T5"), text.find("T3"));  // as they are used
+    const std::string page = sheet("sheet.html");
+    EXPECT_TRUE(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
+    EXPECT_TRUE(has(page, "prefers-color-scheme: dark") && has(page, "@media print"));
+    EXPECT_TRUE(has(page, "data:image/svg+xml;base64,"));
+    for (const char* alien : {"http://", "https://", "<script"}) EXPECT_FALSE(has(page, alien));
+    EXPECT_EQ(page, sheet("again.html"));
 }
 
 }  // namespace
