@@ -20,6 +20,7 @@
 #include "driver/expand.h"
 #include "driver/format.h"
 #include "driver/machine_solve.h"
+#include "driver/parameters.h"
 #include "driver/run.h"
 #include "driver/session.h"
 #include "driver/tables.h"
@@ -79,6 +80,7 @@ Status perform(driver::Session& session, const cli::CommandLine& line,
                cli::ProgressLine& progress) {
     switch (line.verb) {
         case cli::Verb::Expand: return driver::expand(session, line.expand);
+        case cli::Verb::Parameters: return driver::list_parameters(session, line.parameters);
         case cli::Verb::Run: return run(session, line, progress);
         case cli::Verb::Compare: return driver::compare(session, line.compare);
         case cli::Verb::Check: return driver::check(session, line.sources);

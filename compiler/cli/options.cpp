@@ -124,6 +124,15 @@ CLI::Validator is_assignment() {
     return {check, ""};
 }
 
+/// Of a flag that may say a format: without one CLI11 says "true".
+CLI::Validator is_format() {
+    const auto check = [](const std::string& text) -> std::string {
+        if (text == "true" || text == "text" || text == "json") return {};
+        return '`' + text + "` is no format: there are text and json";
+    };
+    return {check, ""};
+}
+
 CLI::Validator is_folder() {
     const auto check = [](const std::string& name) -> std::string {
         if (disk().is_folder(name)) return {};
@@ -141,6 +150,7 @@ class Parser {
     std::string commands_message() const;
     static void refuse_empty_values(const CLI::App& command);
     void take_compared();
+    void take_listed();
     void take_operator();
     double take_override(const std::string& text, const char* option, motion::OperatorAct act,
                          double most);
@@ -176,6 +186,7 @@ class Parser {
     std::string source_;
     std::string cycles_ = "native";
     std::string summary_;  // of a comparison
+    std::string listed_;   // parameters: text or json; empty: a program is written
     std::string threads_;
     std::string messages_ = "text";
     std::string tick_;
@@ -355,6 +366,10 @@ void Parser::add_expand() {
     add_program(*command);
     add_expansion(*command);
     add_writing(*command);
+    command
+        ->add_flag("--parameters", listed_,
+                   "list the parameters of the programs instead; --parameters=json for a program")
+        ->check(is_format());
 }
 
 void Parser::add_run() {
@@ -558,6 +573,7 @@ CommandLine Parser::parse(int count, const char* const* arguments) {
     options.modal_cycles = cycles_ == "native";
     line_.expand.source = line_.run.source = source_;
     line_.expand.map = line_.run.value_of("--map");
+    if (!listed_.empty()) take_listed();
     if (!threads_.empty()) line_.run.threads = threads_ == "on";
     check_settings();
     take_operator();
@@ -607,6 +623,18 @@ void Parser::take_operator() {
         }
         job.operator_events.insert(job.operator_events.end(), events->begin(), events->end());
     }
+}
+
+/// Instead of the text of `expand`.
+void Parser::take_listed() {
+    using Format = driver::ParameterFormat;
+    if (!defines_.empty())
+        throw CLI::ValidationError("--parameters", "it lists what `-D` can set, and sets nothing");
+    if (!line_.expand.map.empty())
+        throw CLI::ValidationError("--parameters", "no text is written that `--map` could map");
+    line_.verb = Verb::Parameters;
+    line_.parameters = {source_, line_.expand.output,
+                        listed_ == "json" ? Format::Json : Format::Text};
 }
 
 /// One source has two controls; of two sources each may have its own.

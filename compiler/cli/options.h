@@ -15,6 +15,7 @@ namespace kadr::cli {
 
 enum class Verb : std::uint8_t {
     Expand,
+    Parameters,  // expand --parameters
     Run,
     Compare,
     Check,
@@ -34,6 +35,7 @@ struct CommandLine {
     Verb verb = Verb::Check;
     driver::Options options;
     driver::ExpandJob expand;
+    driver::ParameterJob parameters;
     driver::RunJob run;
     driver::CompareJob compare;
     driver::TestJob test;

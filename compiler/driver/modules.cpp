@@ -249,6 +249,14 @@ Modules::Module Modules::parse_main(FileId file) {
     return parsed.module();
 }
 
+std::vector<const syntax::Ast*> Modules::trees() const {
+    std::vector<const syntax::Ast*> out;
+    for (const auto& [path, parsed] : by_path_) {
+        if (const syntax::Ast* ast = parsed.module().ast) out.push_back(ast);
+    }
+    return out;
+}
+
 Modules::Module Modules::take_main(const std::string& path, std::string content, FileId& file) {
     return take(path, std::move(content), session_.messages(), file);
 }

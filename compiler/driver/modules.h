@@ -37,6 +37,9 @@ class Modules final : public sema::ModuleLoader {
     /// for others.
     Module take_main(const std::string& path, std::string content, FileId& file);
 
+    /// The trees of all files that were parsed, in no order; they live as long as this.
+    std::vector<const syntax::Ast*> trees() const;
+
   private:
     /// A file that was looked at. No tree: it could not be read or parsed.
     struct Parsed {

@@ -69,6 +69,15 @@ struct ExpandJob {
     std::string map;  // source map; empty: none
 };
 
+enum class ParameterFormat : std::uint8_t { Text, Json };
+
+/// `kadr expand --parameters`: where the list of a program's parameters goes.
+struct ParameterJob {
+    std::string source;
+    std::string output = "-";
+    ParameterFormat format = ParameterFormat::Text;
+};
+
 enum class SummaryFormat : std::uint8_t { Text, Json };
 
 /// Somebody who looks on while a program runs.
