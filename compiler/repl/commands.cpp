@@ -15,6 +15,7 @@
 #include "driver/session.h"
 #include "driver/summary.h"
 #include "plot/plot_svg.h"
+#include "repl/contracts.h"
 #include "repl/prompt.h"
 #include "repl/sketch.h"
 #include "syntax/format.h"
@@ -135,6 +136,14 @@ std::vector<std::string> variables(const driver::Options& options, driver::Share
     return names;
 }
 
+std::string program_word_of(const driver::Options& options, driver::SharedInputs& inputs,
+                            const Transcript& transcript) {
+    Sources sources = inputs.new_sources();
+    driver::Messages messages(sources, {}, [](std::string_view) {});
+    driver::Session session(options, inputs, sources, messages);
+    return program_word(session, transcript.headers());
+}
+
 std::string numbered(const std::string& text) {
     std::string out;
     std::size_t number = 0;
@@ -153,7 +162,9 @@ std::string numbered(const std::string& text) {
 struct Commands {
     Prompt& prompt;
 
-    void help(std::string_view) {
+    void help(std::string_view name) {
+        if (name.starts_with(':')) name.remove_prefix(1);
+        if (!name.empty()) return meaning(std::string(name));
         std::string out =
             "Type statements, blocks, calls and expressions of the Kadr language; a forgotten `;` "
             "is put behind.\n";
@@ -162,7 +173,27 @@ struct Commands {
                                ':' + std::string(row.name) + ' ' + std::string(row.argument),
                                row.meaning);
         }
-        prompt.write(out + "Ctrl-C stops what runs, Ctrl-D leaves.\n");
+        prompt.write(out +
+                     "`drill_peck?` shows what a cycle or a function takes. "
+                     "Ctrl-C stops what runs, Ctrl-D leaves.\n");
+    }
+
+    /// What a name stands for, or what a command of the prompt does.
+    void meaning(const std::string& name) {
+        const std::string word =
+            program_word_of(prompt.options_, prompt.inputs_, prompt.transcript_);
+        std::string text =
+            meaning_of(prompt.options_with_files(), prompt.inputs_, prompt.transcript_, word, name);
+        for (const CommandRow& row : command_table()) {
+            if (row.name == name) text += ':' + name + ": " + std::string(row.meaning) + '\n';
+        }
+        if (!text.empty()) return prompt.write(text);
+        text = "nothing is known of `" + name + '`';
+        const std::vector<std::string> names = prompt.completions("");
+        const std::vector<std::string_view> views(names.begin(), names.end());
+        if (const auto near = nearest_name(name, views.data(), views.size()))
+            text += "; did you mean `" + std::string(*near) + "`?";
+        wrong(text);
     }
 
     void dialect(std::string_view name) {
@@ -311,7 +342,7 @@ struct CommandEntry {
 };
 
 constexpr CommandEntry kRows[] = {
-    {{"help", "", "what can be typed"}, &Commands::help},
+    {{"help", "[NAME]", "what can be typed, or what a name takes"}, &Commands::help},
     {{"dialect", "[NAME]", "the control that the text is for"}, &Commands::dialect},
     {{"machine", "[NAME]", "the machine that executes it"}, &Commands::machine},
     {{"load", "FILE", "use what a Kadr file declares, programs too"}, &Commands::load},
@@ -339,6 +370,7 @@ void Prompt::command(std::string_view text) {
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
     const std::string_view name = trimmed(text.substr(0, end));
     const std::string_view argument = trimmed(text.substr(end));
+    if (name == "exit") return Commands{*this}.quit(argument);  // what other prompts call it
     // A beginning that is no other command's will do: `:h`.
     const CommandEntry* found = nullptr;
     int matches = 0;
@@ -356,6 +388,29 @@ void Prompt::command(std::string_view text) {
     Commands commands{*this};
     if (matches == 1) return (commands.*found->run)(argument);
     commands.wrong(fmt::format("there is no command `:{}`; `:help` lists them", name));
+}
+
+bool Prompt::declares(const std::string& name) const {
+    const std::vector<std::string> names = variables(options_, inputs_, program_of(transcript_));
+    return std::ranges::find(names, name) != names.end() ||
+           std::ranges::find(now_.names, name) != now_.names.end();
+}
+
+bool Prompt::answers(std::string_view line) {
+    Commands commands{*this};
+    if (const std::string name = asked_name(line); !name.empty()) {
+        commands.help(name);
+        return true;
+    }
+    std::string_view word = trimmed(line);
+    if (word.ends_with(';')) word = trimmed(word.substr(0, word.size() - 1));
+    if (word.ends_with("()")) word.remove_suffix(2);
+    const bool leaves = word == "quit" || word == "exit";
+    if (word != "help" && word != "?" && !leaves) return false;
+    if (declares(std::string(word))) return false;  // it means that here
+    if (leaves) commands.quit({});
+    else commands.help({});
+    return true;
 }
 
 }  // namespace kadr::repl

@@ -6,6 +6,7 @@
 
 #include "driver/session.h"
 #include "driver/summary.h"
+#include "repl/line_ends.h"
 
 namespace kadr::repl {
 
@@ -66,9 +67,12 @@ void Prompt::take(std::string_view line) {
     const std::size_t begin = line.find_first_not_of(" \t\r\n");
     if (is_first && begin == std::string_view::npos) return;
     if (is_first && line[begin] == ':') return command(line.substr(begin + 1));
+    if (is_first && answers(line)) return;
     pending_ += std::string(line) + '\n';
     QuietSession quiet(options_, inputs_);
-    if (is_incomplete(quiet.session(), transcript_.headers(), pending_)) return;
+    const std::string headers = transcript_.headers();
+    if (!has_open_end(pending_)) pending_ = with_line_ends(quiet.session(), headers, pending_);
+    if (is_incomplete(quiet.session(), headers, pending_)) return;
     take_input(std::exchange(pending_, {}));
 }
 
@@ -134,9 +138,13 @@ ReplayOutcome Prompt::evaluate(const Transcript& transcript) {
                                       inputs.back().kind == Input::Kind::Call ||
                                       inputs.back().kind == Input::Kind::Value);
     if (is_inside) request.shown_from = transcript.last_statement(request.program);
+    return replay(options_with_files(), inputs_, request, now_.reported);
+}
+
+driver::Options Prompt::options_with_files() const {
     driver::Options options = options_;
     options.allow_read.insert(options.allow_read.end(), allowed_.begin(), allowed_.end());
-    return replay(options, inputs_, request, now_.reported);
+    return options;
 }
 
 void Prompt::undo(std::size_t count) {

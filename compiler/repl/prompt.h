@@ -81,6 +81,11 @@ class Prompt {
     void show_lines(const ReplayOutcome& outcome);
     void step_lines(const ReplayOutcome& outcome);
     void command(std::string_view text);
+    /// Answers `help`, `quit`, `exit` and `drill_peck?`; false: the line is something else.
+    bool answers(std::string_view line);
+    bool declares(const std::string& name) const;
+    /// The options with the folders of files that were loaded.
+    driver::Options options_with_files() const;
     void write(std::string_view text) const { surroundings_.write(text); }
 
     driver::Options options_;

@@ -16,13 +16,18 @@ using syntax::DeclKind;
 using syntax::ExprKind;
 using syntax::StmtKind;
 
-/// The tree of a text without syntax errors; nothing if it has one.
-std::optional<Ast> parsed(driver::Session& session, std::string text) {
+/// The tree of a text, and what is wrong with its syntax; nothing if its head has no words.
+std::optional<Ast> parsed(driver::Session& session, std::string text, DiagnosticList& mistakes) {
     const FileId file = session.sources().add("prompt", std::move(text));
     const driver::SourceWords words = driver::words_of(session, file);
     if (!words) return std::nullopt;
+    return syntax::parse(session.sources(), file, *words.keywords, *words.dialect, mistakes);
+}
+
+/// The tree of a text without syntax errors; nothing if it has one.
+std::optional<Ast> parsed(driver::Session& session, std::string text) {
     DiagnosticList mistakes;
-    Ast ast = syntax::parse(session.sources(), file, *words.keywords, *words.dialect, mistakes);
+    std::optional<Ast> ast = parsed(session, std::move(text), mistakes);
     if (mistakes.has_errors()) return std::nullopt;
     return ast;
 }
@@ -196,6 +201,38 @@ bool lacks_body(driver::Session& session, const std::string& headers, const std:
 
 std::string program_word(driver::Session& session, std::string_view headers) {
     return lexeme_of(session, headers, "program");
+}
+
+std::string else_word(driver::Session& session, std::string_view headers) {
+    return lexeme_of(session, headers, "else");
+}
+
+std::size_t past_quoted(std::string_view text, std::size_t at) {
+    const std::size_t past = past_comment(text, at).value_or(text.size());
+    return past == at && text[at] == '"' ? past_string(text, at) : past;
+}
+
+bool can_be_read(driver::Session& session, std::string_view headers, const std::string& text) {
+    if (is_incomplete(session, headers, text)) return true;
+    return mistakes(session, headers, text) == 0 || mistakes(session, headers, ended(text)) == 0;
+}
+
+std::size_t mistakes(driver::Session& session, std::string_view headers, const std::string& text) {
+    const std::string word = program_word(session, headers);
+    std::size_t least = static_cast<std::size_t>(-1);
+    for (const std::string& whole : {text, as_program(word, text)}) {
+        DiagnosticList found;
+        (void)parsed(session, std::string(headers) + whole, found);
+        least = std::min(least, found.errors());
+    }
+    return least;
+}
+
+bool is_whole_statement(driver::Session& session, std::string_view headers,
+                        const std::string& text) {
+    if (is_incomplete(session, headers, text)) return false;
+    const std::string word = program_word(session, headers);
+    return parsed(session, std::string(headers) + as_program(word, ended(text))).has_value();
 }
 
 bool is_incomplete(driver::Session& session, std::string_view headers, const std::string& text) {

@@ -28,6 +28,9 @@ struct Input {
     std::string text;  // as typed; a forgotten `;` is put behind
 };
 
+/// Whether the text has a bracket or a comment that is not closed yet.
+bool has_open_end(std::string_view text);
+
 /// Whether more lines belong to the text: it has a bracket or a comment that is not closed yet, or
 /// it ends in a head without its body: `if (…)`, `else`, `do`, `cycle c()`. `headers` are the
 /// `language` and `dialect` that hold.
@@ -39,6 +42,23 @@ Input classify(driver::Session& session, std::string_view headers, std::string t
 
 /// The word for `program` in the keyword language of the headers.
 std::string program_word(driver::Session& session, std::string_view headers);
+
+/// Whether a text has no mistake of syntax, `;` put behind it or not, or waits only for the body of
+/// its last head.
+bool can_be_read(driver::Session& session, std::string_view headers, const std::string& text);
+
+/// How many mistakes of syntax a text has, beside a program or in one, where it has fewer.
+std::size_t mistakes(driver::Session& session, std::string_view headers, const std::string& text);
+
+/// Whether a text of a program needs nothing but `;` behind it to be a statement.
+bool is_whole_statement(driver::Session& session, std::string_view headers,
+                        const std::string& text);
+
+/// The word for `else` in the keyword language of the headers.
+std::string else_word(driver::Session& session, std::string_view headers);
+
+/// Past the text or comment that begins at `at`, which may not be closed; `at` itself if none does.
+std::size_t past_quoted(std::string_view text, std::size_t at);
 
 class Transcript {
   public:

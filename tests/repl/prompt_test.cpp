@@ -50,6 +50,16 @@ bool has(const std::string& text, std::string_view part) {
     return text.find(part) != std::string::npos;
 }
 
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        lines.emplace_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return lines;
+}
+
 TEST(Prompt, TakesBlocksAsTheInputDialectSays) {
     Conversation talk("sinumerik");
     EXPECT_EQ(talk.say("dialect fanuc;"), "");
@@ -133,6 +143,94 @@ TEST(Prompt, AnInputMayHaveSeveralLines) {
     EXPECT_EQ(talk.say("1"), "1\n");
 }
 
+/// A line end, or a `}`, ends a statement inside of braces as it does outside of them.
+TEST(Prompt, AForgottenSemicolonInBracesIsPutBehind) {
+    Conversation talk;
+    EXPECT_TRUE(has(talk.say("for (int i = 1; i <= 2; i++) { G0 X=i }"), "X1\nX2\n"));
+    struct Row {
+        const char* input;
+        const char* text;  // of the control
+    };
+    for (const Row& row : {
+             Row{"{\nG0 X3\nY4\n}", "X3\nY4\n"},
+             Row{"{\nlength c = 2mm\n    + 3mm // both\nX=c\n}", "X5\n"},
+             Row{"{\nif (position.x > 1mm)\n  Y=6\nelse\n  Y=7\n}", "Y6\n"},
+             Row{"{\nfor (int i = 8; i < 10; i++)\n  Z=i\n}", "Z8\nZ9\n"},
+             Row{"{\npoint p = {10mm, 11mm}\nX=p.x\n}", "X10\n"},
+             Row{"{\nif (true) { Y12 } else { Y13 }\nX14\n}", "Y12\nX14\n"},
+             Row{"{ X15 // no ; needed\n}", "X15\n"},
+         }) {
+        std::string answer;
+        for (const std::string& line : lines_of(row.input)) answer = talk.say(line);
+        EXPECT_TRUE(has(answer, row.text)) << row.input << '\n' << answer;
+    }
+    EXPECT_FALSE(talk.prompt().has_failed());
+}
+
+TEST(Prompt, WhatIsWholeInBracesStaysAsItIs) {
+    Conversation talk;
+    talk.say("cycle two(length a) {");
+    talk.say("    G0 X=a");
+    talk.say("       Y=a;");  // one block, as in a file
+    talk.say("}");
+    EXPECT_TRUE(has(talk.say("two(2mm)"), "X2 Y2\n"));
+    // What is wrong besides is reported alone.
+    talk.say("cycle wrong() {");
+    talk.say("    G0 X1");
+    talk.say("    Y=nowhere");
+    const std::string answer = talk.say("}");
+    EXPECT_TRUE(has(answer, "[K2001]")) << answer;
+    EXPECT_FALSE(has(answer, "[K1101]")) << answer;
+}
+
+TEST(Prompt, ANameShowsItsContract) {
+    Conversation talk("fanuc");
+    const std::string library = talk.say("drill_peck?");
+    EXPECT_TRUE(has(library, "cycle drill_peck(length to, length peck, length retract = 2mm"))
+        << library;
+    EXPECT_TRUE(has(library, "Drills a deep hole")) << library;
+    EXPECT_TRUE(has(library, "  peck       length  mm    needed      > 0mm  depth of one stroke"))
+        << library;
+    EXPECT_TRUE(has(library, "  and (retract - to)/peck <= 1000\n")) << library;
+    EXPECT_TRUE(has(library, "type `import cycles.drilling;` first\n")) << library;
+    talk.say("import cycles.drilling;");
+    for (const char* asked :
+         {":help drill_peck", "help drill_peck;", "?drill_peck", "drill_peck()?"}) {
+        const std::string known = talk.say(asked);
+        EXPECT_TRUE(has(known, "cycle drill_peck(")) << asked << known;
+        EXPECT_FALSE(has(known, "import")) << asked << known;
+    }
+    talk.say("/// Twice.\nlength twice(length a) { return 2*a; }");
+    EXPECT_EQ(talk.say("twice?"),
+              "length twice(length a)\nTwice.\n  parameter  type    unit  default\n"
+              "  a          length  mm    needed\n");
+    EXPECT_TRUE(has(talk.say("G83?"), "the cycle drill_peck"));
+    EXPECT_TRUE(has(talk.say("rotate?"), "rotation in the working plane"));
+    EXPECT_TRUE(has(talk.say("sqrt?"), "function of the language"));
+    EXPECT_TRUE(has(talk.say(":help undo"), ":undo: take the last input back"));
+    EXPECT_FALSE(talk.prompt().has_failed());
+    EXPECT_EQ(talk.say("dril_peck?"),
+              "nothing is known of `dril_peck`; did you mean `drill_peck`?\n");
+    EXPECT_TRUE(talk.prompt().has_failed());
+}
+
+TEST(Prompt, AnswersWhatOtherPromptsAreAsked) {
+    for (const char* word : {"help", "help;", "?"}) {
+        Conversation talk;
+        EXPECT_TRUE(has(talk.say(word), ":undo")) << word;
+        EXPECT_FALSE(talk.prompt().has_failed()) << word;
+    }
+    for (const char* word : {"quit", "exit", "exit()", "quit;", ":exit"}) {
+        Conversation talk;
+        EXPECT_EQ(talk.say(word), "") << word;
+        EXPECT_TRUE(talk.prompt().is_over()) << word;
+    }
+    Conversation talk;
+    talk.say("length exit = 3mm");
+    EXPECT_EQ(talk.say("exit"), "3 mm\n");
+    EXPECT_FALSE(talk.prompt().is_over());
+}
+
 TEST(Prompt, AHeadAtTheEndOfALineWaitsForItsBody) {
     Conversation talk;
     for (const char* head :
@@ -165,10 +263,10 @@ TEST(Prompt, AMistakeInACycleIsOneMessage) {
     Conversation talk;
     talk.say("length d = 40mm;");
     talk.say("cycle ring(length r) {");
-    talk.say("    G0 X=r");
+    talk.say("    G0 X=;");
     talk.say("    G2 I=-r F100;");
     const std::string answer = talk.say("}");
-    EXPECT_TRUE(has(answer, "K1101")) << answer;
+    EXPECT_TRUE(has(answer, "K12")) << answer;
     EXPECT_EQ(answer.find("error["), answer.rfind("error[")) << answer;
     EXPECT_FALSE(has(answer, "40mm")) << answer;
     // What only the library's own files use is not proposed.
