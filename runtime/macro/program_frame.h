@@ -24,6 +24,7 @@ struct OpenStructure {
     std::optional<ProgramLine> otherwise;
     double last = 0;                          // For
     std::unique_ptr<nc::ControlLine> counts;  // … its head
+    std::optional<std::int64_t> left;         // Loop with a count: passes, this one included
 };
 
 /// A section that is being repeated.

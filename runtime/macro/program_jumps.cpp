@@ -157,6 +157,13 @@ Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
                           run_.frame->structures.back().head.line == line.program_line.line &&
                           statement.kind == Statement::While;
     bool is_true = true;
+    std::optional<std::int64_t> passes;
+    if (statement.kind == Statement::Loop && statement.count.is_given()) {
+        const auto counted = count_of(line, statement);
+        if (!counted) return counted.error();
+        passes = *counted;
+        is_true = *passes > 0;
+    }
     if (statement.kind == Statement::If || statement.kind == Statement::While) {
         const Outcome done = run_.truth(line, statement.value, is_true);
         if (!goes_on(done)) return done;
@@ -174,7 +181,7 @@ Outcome Jumps::enter(CompiledLine& line, const ControlStatement& statement) {
                              {std::to_string(run_.language.rules.most_levels)});
         }
         run_.frame->structures.push_back({statement.kind, statement.loop, line.program_line,
-                                          found->end, found->otherwise, 0, nullptr});
+                                          found->end, found->otherwise, 0, nullptr, passes});
         if (statement.kind == Statement::For)
             run_.frame->structures.back().counts = std::make_unique<nc::ControlLine>(line.line);
     }
@@ -257,7 +264,13 @@ Outcome Jumps::leave(CompiledLine& line, const ControlStatement& statement) {
     bool once_more = false;
     switch (open.kind) {
         case Statement::While: run_.frame->goes_on = open.head.line; break;
-        case Statement::Loop: run_.frame->goes_on = open.head.next; break;
+        case Statement::Loop:
+            if (open.left && --*open.left <= 0) {
+                run_.frame->structures.pop_back();
+                return Outcome::Nothing;
+            }
+            run_.frame->goes_on = open.head.next;
+            break;
         case Statement::For: {
             const Outcome done = count_on(line, open, once_more);
             if (!goes_on(done)) return done;
@@ -282,6 +295,38 @@ Outcome Jumps::leave(CompiledLine& line, const ControlStatement& statement) {
         return run_.fail(line, diag::EndlessLoop, statement.span,
                          {std::to_string(run_.options.max_turns)});
     return Outcome::Nothing;
+}
+
+/// A loop is left, or the rest of its pass is.
+Outcome Jumps::end_pass(CompiledLine& line, const ControlStatement& statement) {
+    auto& open = run_.frame->structures;
+    const auto is_meant = [&](const OpenStructure& each) {
+        return each.kind != Statement::If && (statement.loop == 0 || each.loop == statement.loop);
+    };
+    if (std::ranges::none_of(open, is_meant))
+        return run_.fail(line, diag::StructureBeginMissing, statement.span);
+    while (!is_meant(open.back())) open.pop_back();
+    const ProgramLine end = open.back().end;
+    if (statement.kind == Statement::Continue) {
+        run_.frame->goes_on = end.line;
+        return Outcome::Nothing;
+    }
+    open.pop_back();
+    run_.frame->goes_on = end.next;
+    return Outcome::Nothing;
+}
+
+/// How often the blocks of a section or of a loop are wanted.
+Result<std::int64_t, Outcome> Jumps::count_of(CompiledLine& line,
+                                              const ControlStatement& statement) {
+    ControlValue count;
+    const Outcome done = run_.evaluate(line, statement.count, count);
+    if (!goes_on(done)) return done;
+    const double wanted = std::round(count.number);
+    if (!(wanted >= 0 && wanted <= kMostPasses))
+        return run_.fail(line, diag::RepeatCount, statement.count.span,
+                         {run_.evaluator.written(count)});
+    return static_cast<std::int64_t>(wanted);
 }
 
 /// The counter of a For takes its next value.
@@ -318,14 +363,9 @@ Outcome Jumps::otherwise(CompiledLine& line, const ControlStatement& statement) 
 Outcome Jumps::repeat_section(CompiledLine& line, const ControlStatement& statement) {
     std::int64_t passes = 1;
     if (statement.count.is_given()) {
-        ControlValue count;
-        const Outcome done = run_.evaluate(line, statement.count, count);
-        if (!goes_on(done)) return done;
-        const double wanted = std::round(count.number);
-        if (!(wanted >= 0 && wanted <= kMostPasses))
-            return run_.fail(line, diag::RepeatCount, statement.count.span,
-                             {run_.evaluator.written(count)});
-        passes = static_cast<std::int64_t>(wanted);
+        const auto counted = count_of(line, statement);
+        if (!counted) return counted.error();
+        passes = *counted;
     }
     const auto target = resolve(line, statement.from);
     if (!target) return target.error();

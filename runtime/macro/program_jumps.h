@@ -18,6 +18,8 @@ class Jumps {
     explicit Jumps(ProgramBase& run) : run_(run) {}
 
     /// Which line a target means, or what this line comes to where that is not known.
+    Result<std::int64_t, Outcome> count_of(CompiledLine& line,
+                                           const nc::ControlStatement& statement);
     Result<LineTarget, Outcome> resolve(CompiledLine& line, const nc::JumpTarget& target);
     /// A jump.
     Outcome jump(CompiledLine& line, const nc::ControlStatement& statement);
@@ -31,6 +33,7 @@ class Jumps {
     Outcome enter(CompiledLine& line, const nc::ControlStatement& statement);
     /// The end of a structure, or of one pass.
     Outcome leave(CompiledLine& line, const nc::ControlStatement& statement);
+    Outcome end_pass(CompiledLine& line, const nc::ControlStatement& statement);
     /// The other part of a condition begins: the one before is through.
     Outcome otherwise(CompiledLine& line, const nc::ControlStatement& statement);
     /// A section of the program comes once more, or so often.

@@ -36,6 +36,8 @@ Outcome ProgramRun::execute(CompiledLine& line, const ControlStatement& statemen
         case Statement::Else: return jumps.otherwise(line, statement);
         case Statement::EndLoop:
         case Statement::Until: return jumps.leave(line, statement);
+        case Statement::Break:
+        case Statement::Continue: return jumps.end_pass(line, statement);
         case Statement::RepeatSection:
         case Statement::RepeatBlock: return jumps.repeat_section(line, statement);
         case Statement::Label: return Outcome::Nothing;

@@ -97,7 +97,7 @@ void TextScan::take_head(std::string_view line, const LinePosition& at) {
 }
 
 void TextScan::take_block(std::string_view line, const ProgramLine& place) {
-    if (tables_.language.has_label_numbers || !tables_.language.label_sign.empty())
+    if (tables_.language.has_label_numbers || tables_.language.has_labels())
         take_label(line, place);
     const auto numbered = numbers_.numbered(tables_, line);
     std::string_view text = numbered ? std::string_view(numbered->text) : line;

@@ -23,6 +23,7 @@ Done BlockValues::put(const Claim& claim, const LexedLine& words, std::string_vi
         block.set_argument(block.functions[claim.invocation], claim.parameter, 0);
         return kDone;
     }
+    if (claim.has_point_tail) return put_both(claim, words, line, block);
     if (claim.in_increments || claim.tail_digits > 0) return put_whole(claim, words, line, block);
     return put_number(claim, words, line, block);
 }
@@ -47,7 +48,8 @@ Done BlockValues::put_number(const Claim& claim, const LexedLine& words, std::st
     const GivenWord& word = words.words[claim.word];
     const Decimal& decimal = words.decimals[claim.word];
     const TextUnits& units = modes_.units();
-    const NumberFormat& own = tables_.addresses[word.address].format;
+    const NumberFormat& own =
+        claim.format != nullptr ? *claim.format : tables_.addresses[word.address].format;
     std::optional<NumberFormat> pitch;
     if (claim.is_pitch || (!claim.is_parameter && is_pitch(claim, block)))
         pitch = pitch_format(own);
@@ -96,6 +98,24 @@ void BlockValues::set_slot(const Claim& claim, double meaning, Block& block) con
     block.set(slot, is_time && meaning != 0 ? kMinute / meaning
                     : scale == 1            ? meaning
                                             : meaning / scale);
+}
+
+/// `T4.04`: two whole numbers, of which the second stands behind the point. A number without a
+/// point is the first one alone.
+Done BlockValues::put_both(const Claim& claim, const LexedLine& words, std::string_view line,
+                           Block& block) {
+    const GivenWord& word = words.words[claim.word];
+    const std::string text = words.text_of(line, claim.word);
+    const std::size_t point = word.is_computed ? std::string::npos : text.find('.');
+    if (words.minus[claim.word]) return fail(diag::IsoMinusNotAllowed, claim, words, line);
+    if (word.is_computed && word.number != std::floor(word.number))
+        return fail(diag::IsoPointNotAllowed, claim, words, line);
+    Invocation& invocation = block.functions[claim.invocation];
+    block.set_argument(invocation, claim.parameter, std::floor(words.decimals[claim.word].value));
+    if (point == std::string::npos || point + 1 == text.size()) return kDone;
+    const Decimal second = parse_decimal(text.data() + point + 1, text.data() + text.size());
+    block.set_argument(invocation, static_cast<std::size_t>(claim.tail_parameter), second.value);
+    return kDone;
 }
 
 /// Whether the word of a function is a position or a size at the part, as Z and R of a cycle, `,R`,

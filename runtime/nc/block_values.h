@@ -34,6 +34,7 @@ class BlockValues {
     Done put_number(const Claim& claim, const LexedLine& words, std::string_view line,
                     Block& block);
     Done put_whole(const Claim& claim, const LexedLine& words, std::string_view line, Block& block);
+    Done put_both(const Claim& claim, const LexedLine& words, std::string_view line, Block& block);
     void set_slot(const Claim& claim, double meaning, Block& block) const;
     bool is_pitch(const Claim& claim, const Block& block) const;
     bool is_position_of_function(const Claim& claim, const LexedLine& words) const;

@@ -23,8 +23,10 @@ class Front {
             while (at < line_.size() && is_digit(line_[at])) ++at;
             at = words_.skip_blanks(at);
         }
+        at = take_front_signs(at);
         at = take_number(at);
         at = take_label(at);
+        if (!language_.label_quote.empty()) at = take_number(take_front_signs(at));
         front_.is_empty = says_nothing_from(at);
         if (!front_.is_empty) find_statement(words_.skip_comments(at));
         return front_;
@@ -52,7 +54,27 @@ class Front {
         return words_.skip_blanks(end);
     }
 
+    /// `#G0 X5`: signs that mean nothing here.
+    std::size_t take_front_signs(std::size_t at) const {
+        const std::string& signs = tables_.notation.front_signs;
+        while (at < line_.size() && signs.find(line_[at]) != std::string::npos)
+            at = words_.skip_blanks(at + 1);
+        return at;
+    }
+
+    /// `"LAB"`
+    std::size_t take_quoted_label(std::size_t at) {
+        const std::string& quote = language_.label_quote;
+        if (!line_.substr(std::min(at, line_.size())).starts_with(quote)) return at;
+        const std::size_t first = at + quote.size();
+        const std::size_t end = line_.find(quote, first);
+        if (end == std::string_view::npos || end == first) return at;
+        front_.label = line_.substr(first, end - first);
+        return words_.skip_blanks(end + quote.size());
+    }
+
     std::size_t take_label(std::size_t at) {
+        if (!language_.label_quote.empty()) return take_quoted_label(at);
         if (language_.label_sign.empty()) return at;
         const LetterRun word = words_.word_at(at);
         if (word.text.size() < 2) return at;
@@ -63,9 +85,9 @@ class Front {
     }
 
     void find_statement(std::size_t at) {
-        const LetterRun word = words_.word_at(at);
         const StatementForm* found = nullptr;
         for (const StatementForm& form : language_.statements) {
+            const LetterRun word = word_behind(form, at);
             if (begins_with_loop(form)) {
                 const std::optional<int> loop = loop_in_front(words_, line_, form, at);
                 if (!loop) continue;
@@ -77,7 +99,8 @@ class Front {
             if (word.text.size() < 2 && !language_.has_label_numbers) continue;
             if (!words_.matches_with_digits(word, form.tokens[0].text)) continue;
             if (form.statement == Statement::Label && take_label_of(form, at)) return;
-            if (found == nullptr || !is_likely(*found, at + word.text.size())) found = &form;
+            const std::size_t behind = word.begin + word.text.size();
+            if (found == nullptr || !is_likely(*found, behind)) found = &form;
         }
         if (found == nullptr) return;
         front_.statement = found->statement;
@@ -87,6 +110,13 @@ class Front {
                    token.hole == StatementToken::Hole::Loop;
         });
         if (has_loop) front_.loop = number_at_end(at);
+    }
+
+    /// The first keyword of a statement, behind the signs in front of it.
+    LetterRun word_behind(const StatementForm& form, std::size_t at) const {
+        if (form.front.empty()) return words_.word_at(at);
+        const auto behind = behind_front(words_, line_, form, at);
+        return behind ? words_.word_at(*behind) : LetterRun{at, {}};
     }
 
     /// `G98 L{from}`, `O{from} SUB`: the words of the pattern and the label among them. A statement

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
@@ -129,11 +130,25 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
         const Done taken = is_operand ? take_operand(value.value) : take_expression(value.value);
         if (taken && value.value.is_logical && !rules_.stores_comparisons)
             set_fault(diag::ExpressionSyntax, value.value.span);
+        if (rules_.value_is_variable && !fault_) require_variable(value.value);
         if (!fault_) out_.computed.push_back(value);
         return finish(at, true);
     }
 
   private:
+    /// `XE30`: neither a formula nor a sign stands there.
+    void require_variable(const Expression& value) {
+        using Kind = ControlInstruction::Kind;
+        const std::string_view text =
+            line_.substr(value.span.begin, value.span.end - value.span.begin);
+        const bool is_operation = std::ranges::any_of(
+            std::span(out_.code).subspan(value.first, value.count),
+            [](const ControlInstruction& step) { return step.kind == Kind::Operate; });
+        if (!is_operation && text.find(language_.open) == std::string_view::npos) return;
+        set_fault(diag::ExpressionSyntax, value.span);
+        fault_->fix = "a word takes one variable: give it the value in a block of its own first";
+    }
+
     /// Whether a variable or a function gives the axis or the spindle of a word.
     bool begins_computed_index(std::size_t at, bool is_of_spindle) const {
         if (at >= line_.size()) return false;
@@ -274,11 +289,15 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
     template <typename IsWanted>
     Try take_pattern(ControlStatement& out, IsWanted is_wanted) {
         skip();
-        const std::size_t begin = at_;
-        const LetterRun word = words_.word_at(at_);
+        const std::size_t start = at_;
         std::optional<LineFault> farthest;
         const std::size_t code = out_.code.size();
         for (const StatementForm& form : language_.statements) {
+            const std::optional<std::size_t> front =
+                form.front.empty() ? start : behind_front(words_, line_, form, start);
+            if (!front) continue;
+            const std::size_t begin = *front;
+            const LetterRun word = words_.word_at(begin);
             const bool has_number_in_front = begins_with_loop(form);
             if (has_number_in_front ? !loop_in_front(words_, line_, form, begin)
                                     : word.text.size() < 2 && !language_.has_label_numbers)
@@ -303,6 +322,8 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
                 if (form.operation) join_values(*form.operation, statement);
                 if (form.operation && statement.kind == Statement::Jump)
                     make_conditional(statement);
+                if (statement.kind == Statement::IfDo && statement.inner.empty())
+                    jump_to_target(statement);
                 out = std::move(statement);
                 return Try::Taken;
             }
@@ -313,8 +334,17 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
         }
         fault_ = std::move(farthest);
         if (fault_) return Try::Failed;
-        at_ = begin;
+        at_ = start;
         return Try::Absent;
+    }
+
+    /// `IF [VC1 EQ 2] N20`: a target alone is a jump.
+    static void jump_to_target(ControlStatement& condition) {
+        ControlStatement jump;
+        jump.kind = Statement::Jump;
+        jump.span = condition.target.span;
+        jump.target = std::exchange(condition.target, {});
+        condition.inner.push_back(std::move(jump));
     }
 
     /// The values of a statement stand in the code side by side; together they are one.
@@ -577,8 +607,9 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
         const std::size_t begin = at_;
         const LetterRun word = words_.word_at(at_);
         if (language_.has_label_numbers) return take_label_number(out);
-        const bool has_labels = !language_.label_sign.empty();
-        if (has_labels && line_.substr(at_).starts_with(language_.label_sign)) ++at_;
+        const bool has_labels = language_.has_labels();
+        if (!language_.label_sign.empty() && line_.substr(at_).starts_with(language_.label_sign))
+            ++at_;
         if (has_labels && !word.text.empty() && !begins_reference(at_)) {
             at_ += word.text.size();
             out.kind = JumpTarget::Kind::Label;
@@ -591,6 +622,7 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
             }
             return require_no_label_sign(begin);
         }
+        if (!has_labels && language_.names_blocks) return take_block_word(word, out);
         if (!has_labels && !require_lone_number(begin)) return kFailed;
         out.kind = JumpTarget::Kind::Computed;
         const Done taken = has_labels ? take_expression(out.value) : take_operand(out.value);
@@ -598,8 +630,19 @@ class ControlLineCompiler final : public ValueCompiler, private CallCompiler {
         return taken;
     }
 
+    /// `N20`, where a jump says a block by its word.
+    Done take_block_word(const LetterRun& word, JumpTarget& out) {
+        out.number = words_.block_number(words_.normal(word.text));
+        if (out.number < 0) return fail_here(diag::StatementSyntax);
+        at_ += word.text.size();
+        out.kind = JumpTarget::Kind::Number;
+        out.span = span_from(word.begin);
+        return kDone;
+    }
+
     /// `GOTOF MARK1:`: the sign belongs to the label, and not to the jump.
     Done require_no_label_sign(std::size_t begin) {
+        if (language_.label_sign.empty()) return kDone;
         if (!line_.substr(at_).starts_with(language_.label_sign)) return kDone;
         const std::string target(line_.substr(begin, at_ - begin));
         set_fault_here(diag::StatementSyntax);

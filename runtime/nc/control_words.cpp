@@ -20,9 +20,30 @@ std::size_t ControlWords::skip_blanks(std::size_t at) const {
 std::size_t ControlWords::skip_comments(std::size_t at) const {
     const std::string& close = tables_.comment.close;
     at = skip_blanks(at);
+    if (!tables_.comment.also_read.empty()) return skip_all_comments(at);
     while (!close.empty() && is_comment(at)) {
         const std::size_t end = line_.find(close, at + comment_.size());
         if (end == std::string_view::npos) break;
+        at = skip_blanks(end + close.size());
+    }
+    return at;
+}
+
+std::size_t ControlWords::skip_all_comments(std::size_t at) const {
+    while (at < line_.size()) {
+        std::string_view open;
+        std::string_view close;
+        if (line_.substr(at).starts_with(comment_)) {
+            open = comment_;
+            close = tables_.comment.close;
+        }
+        for (const CommentMarks& marks : tables_.comment.also_read) {
+            if (!open.empty() || !line_.substr(at).starts_with(marks.open)) continue;
+            open = marks.open;
+            close = marks.close;
+        }
+        const std::size_t end = close.empty() ? line_.size() : line_.find(close, at + open.size());
+        if (open.empty() || close.empty() || end == std::string_view::npos) break;
         at = skip_blanks(end + close.size());
     }
     return at;
@@ -44,7 +65,12 @@ std::string ControlWords::normal(std::string_view text) const {
 }
 
 bool ControlWords::is_comment(std::size_t at) const {
-    return at < line_.size() && line_.substr(at).starts_with(comment_);
+    if (at >= line_.size()) return false;
+    if (line_.substr(at).starts_with(comment_)) return true;
+    const auto& others = tables_.comment.also_read;
+    return !others.empty() && std::ranges::any_of(others, [&](const CommentMarks& marks) {
+        return line_.substr(at).starts_with(marks.open);
+    });
 }
 
 bool ControlWords::is_block_end(std::size_t at) const {

@@ -26,6 +26,8 @@ class ControlWords {
     std::size_t skip_blanks(std::size_t at) const;
     /// Behind blanks and comments that end in the line.
     std::size_t skip_comments(std::size_t at) const;
+    /// The same where comments have several signs.
+    std::size_t skip_all_comments(std::size_t at) const;
     /// The end of the text without the blanks before it.
     std::size_t trim(std::size_t begin, std::size_t end) const;
     char upper(char c) const;

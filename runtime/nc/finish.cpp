@@ -211,7 +211,7 @@ class Finisher {
     }
 
     /// What a reader looks at: two readable forms with the same signature cannot be told apart.
-    static std::string signature(const Form& form) {
+    std::string signature(const Form& form) const {
         std::vector<std::string> words;
         for (const FormWord& word : form.words) {
             std::string text = std::to_string(word.address);
@@ -253,9 +253,14 @@ class Finisher {
         return word == form.words.end() ? 0 : word->offset;
     }
 
-    static void add_arguments(std::string& text, const FormWord& call) {
+    void add_arguments(std::string& text, const FormWord& call) const {
         text += '(';
         for (const FormWord& argument : call.arguments) {
+            if (argument.address != kNoAddress) {
+                text += tables_.addresses[argument.address].name;
+                if (argument.is_letter_alone) text += '!';
+            }
+            if (argument.kind == FormWord::Kind::Rest) text += "...";
             if (argument.kind == FormWord::Kind::Fixed) append_shortest(text, argument.number);
             // Two signs of one argument are two ranges of it.
             if (argument.kind == FormWord::Kind::Value) text += argument.factor < 0 ? '-' : '#';

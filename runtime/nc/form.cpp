@@ -127,6 +127,7 @@ class LineParser {
 
     Done parse_word(FormWord& word) {
         const std::size_t begin = at_;
+        if (take('(')) return parse_call_in_brackets(word, begin);
         if (take(',') && at_ < line_.size() && is_letter(line_[at_])) {  // `,C{width}`
             ++at_;
             if (at_ == line_.size() || line_[at_] != '{')
@@ -160,6 +161,16 @@ class LineParser {
         if (at_ < line_.size() && line_[at_] == '{') return parse_value(word, name, begin);
         if (at_blank() && !has_equals) return parse_name(word, name);
         return parse_fixed(word, name, begin);
+    }
+
+    /// `(UAO,{number})`: the brackets stand around the name.
+    Done parse_call_in_brackets(FormWord& word, std::size_t begin) {
+        while (at_ < line_.size() && (is_letter(line_[at_]) || is_digit(line_[at_]))) ++at_;
+        const std::string_view name = line_.substr(begin, at_ - begin);
+        if (name.size() < 2) return fail("a name is expected behind the bracket: `(NAME,{…})`");
+        tables_.has_bracket_calls = true;
+        if (take(',') || (at_ < line_.size() && line_[at_] == ')')) return parse_call(word, name);
+        return fail("a comma or the closing bracket is expected behind " + quoted(name));
     }
 
     /// `DIAMONA[X]`, `PO[X]=(…)`, `ACC[X]={percent}`: the bracket belongs to the name.
@@ -224,7 +235,9 @@ class LineParser {
     /// `{offset:2}` or `0060` behind a value: the last digits of its number.
     Done parse_tail(FormWord& word) {
         if (at_blank()) return kDone;
+        word.has_point_tail = take('.');
         if (!take('{')) {
+            if (word.has_point_tail) return fail("behind the point stands a `{…}`");
             parse_fixed_tail(word);
             return kDone;
         }
@@ -234,6 +247,11 @@ class LineParser {
         const std::string_view name = inner.substr(0, inner.find(':'));
         word.tail_parameter = parameter_named(name);
         if (word.tail_parameter < 0) return fail_unknown(name);
+        if (word.has_point_tail) {
+            // Two numbers in one: both are counted, and digits are no decimals.
+            if (name.size() == inner.size()) return kDone;
+            return fail("behind a point all digits are the second number: `{offset}`");
+        }
         const std::string_view digits = inner.substr(std::min(name.size() + 1, inner.size()));
         if (digits.size() != 1 || digits[0] < '1' || digits[0] > '9') {
             return fail("a second `{…}` says how many digits it has: `{offset:2}`");
@@ -269,16 +287,44 @@ class LineParser {
         if (take(')')) return kDone;
         do {
             FormWord argument;
-            if (!parse_argument(argument)) return kFailed;
+            const bool is_last =
+                !word.arguments.empty() && word.arguments.back().kind == FormWord::Kind::Rest;
+            if (is_last) return fail("nothing may follow `{...}`");
+            if (!parse_argument(argument, name.starts_with('('))) return kFailed;
             word.arguments.push_back(std::move(argument));
         } while (take(','));
         return take(')') ? kDone : fail("the parenthesis is not closed");
     }
 
-    Done parse_argument(FormWord& word) {
+    /// `X{x}`, `X{x?:letter}`: an argument that is found by its letter.
+    Done parse_lettered(FormWord& word) {
+        const std::string_view letter = line_.substr(at_++, 1);
+        word.kind = FormWord::Kind::Value;
+        word.text = letter;
+        if (!require_declared(word, letter)) return kFailed;
+        is_argument_ = true;
+        const Done parsed = parse_placeholder(word);
+        is_argument_ = false;
+        return parsed;
+    }
+
+    /// `{...}`
+    Done parse_rest(FormWord& word) {
+        constexpr std::string_view kRest = "{...}";
+        if (!is_read_only_) return fail("`{...}` stands in a form that is only read");
+        at_ += kRest.size();
+        word.kind = FormWord::Kind::Rest;
+        word.is_optional = true;
+        return kDone;
+    }
+
+    Done parse_argument(FormWord& word, bool is_in_brackets) {
         word.kind = FormWord::Kind::Empty;
         skip_blanks();
         if (at_ == line_.size() || line_[at_] == ',' || line_[at_] == ')') return kDone;
+        if (line_.substr(at_).starts_with("{...}")) return parse_rest(word);
+        if (is_in_brackets && is_letter(line_[at_]) && line_.substr(at_ + 1).starts_with('{'))
+            return parse_lettered(word);
         if (line_[at_] == '{') {
             word.kind = FormWord::Kind::Value;
             return parse_placeholder(word);
@@ -322,7 +368,7 @@ class LineParser {
             inner.remove_suffix(1);
         }
         if (inner.empty()) return parse_any(word);
-        const std::size_t sign = inner.find_first_of("+-=");
+        const std::size_t sign = inner.find_first_of("*/+-=");
         const std::string_view name = inner.substr(0, std::min(sign, inner.size()));
         word.parameter = parameter_named(name);
         if (word.parameter < 0) return fail_unknown(name);
@@ -345,8 +391,16 @@ class LineParser {
         return kDone;
     }
 
-    /// `{=0.5:length}`: always the same, in the units of the text.
+    /// `{=0.5:length}`: always the same, in the units of the text; `{=work_offset}`: the number of
+    /// the work offset that acts.
     Done parse_quantity(FormWord& word, std::string_view inner) {
+        if (inner == "work_offset") {
+            if (word.kind != FormWord::Kind::Value || word.address != kNoAddress)
+                return fail("`{=work_offset}` is an argument of a call");
+            word.kind = FormWord::Kind::Fixed;
+            word.is_work_offset = true;
+            return kDone;
+        }
         const Decimal number = parse_decimal(inner.data(), inner.data() + inner.size());
         const auto digits = static_cast<std::size_t>(number.end - inner.data());
         const bool is_length = digits > 0 && inner.substr(digits) == ":length";
@@ -371,6 +425,7 @@ class LineParser {
 
     Done parse_operator(FormWord& word, std::string_view inner, std::size_t sign) {
         if (sign == std::string_view::npos) return kDone;
+        if (inner[sign] == '*' || inner[sign] == '/') return parse_factor(word, inner, sign);
         const std::string_view rest = inner.substr(inner[sign] == '=' ? sign + 1 : sign);
         const Decimal number = parse_decimal(rest.data(), rest.data() + rest.size());
         if (number.end != rest.data() + rest.size() || rest.empty()) {
@@ -385,11 +440,33 @@ class LineParser {
         return kDone;
     }
 
+    /// `{allowance*0.5}`, `{x/2+1}`: what is written is the parameter times the factor.
+    Done parse_factor(FormWord& word, std::string_view inner, std::size_t sign) {
+        const std::string_view rest = inner.substr(sign + 1);
+        const Decimal number = parse_decimal(rest.data(), rest.data() + rest.size());
+        const auto digits = static_cast<std::size_t>(number.end - rest.data());
+        if (digits == 0 || number.value == 0)
+            return fail(quoted(rest) + " is no factor, which is a number other than 0");
+        word.factor = inner[sign] == '*' ? number.value : 1 / number.value;
+        if (digits == rest.size()) return kDone;
+        const bool is_offset = rest[digits] == '+' || rest[digits] == '-';
+        if (!is_offset) return fail(quoted(rest.substr(digits)) + " is no offset: `{x*2+1}`");
+        return parse_operator(word, rest, digits);
+    }
+
     Done parse_unit(FormWord& word, std::string_view unit) {
         if (unit.empty()) return kDone;
         if (unit == "named" || unit == "lead") {
             word.is_named_only = unit == "named";
             word.is_pitch = unit == "lead";
+            return kDone;
+        }
+        if (unit == "letter") {
+            if (word.address == kNoAddress || word.text.size() != 1 || !is_argument_)
+                return fail(
+                    "a letter alone is an argument of a command in brackets: "
+                    "`(MIR,X{x?:letter})`");
+            word.is_letter_alone = word.is_named_only = true;
             return kDone;
         }
         if (unit == "placeholder") {
@@ -422,13 +499,13 @@ class LineParser {
         }
         for (const FormUnit& known : kUnits) {
             if (known.name != unit) continue;
-            word.factor = known.factor;
+            word.factor *= known.factor;
             return kDone;
         }
         return fail(
             "there is no unit " + quoted(unit) +
             "; known are s, cs, ms, s|ms, min, deg, mm, permille, increments, digits, lead, named, "
-            "absolute and incremental");
+            "letter, absolute and incremental");
     }
 
     Done require_declared(FormWord& word, std::string_view name) {
@@ -472,6 +549,7 @@ class LineParser {
     DiagnosticSink& sink_;
     bool completed_by_others_ = false;
     bool is_read_only_ = false;
+    bool is_argument_ = false;  // of a command in brackets, behind its letter
     std::size_t at_ = 0;
 };
 

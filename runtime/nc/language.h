@@ -208,6 +208,7 @@ struct StatementForm {
     Statement statement = Statement::None;
     std::string form;
     std::vector<StatementToken> tokens;
+    std::string front;                   // signs in front of the first keyword: `(BNC,{target})`
     std::uint32_t closes = 0;            // EndLoop: a bit for each statement that it ends
     bool repeats = false;                // the same may follow in the block (IfDo)
     std::optional<Operation> operation;  // of the values in its holes: the value that counts
@@ -239,9 +240,13 @@ struct Language {
     char close = ')';
     char index_open = '[';  // of indices
     char index_close = ']';
-    std::string label_sign;  // behind a label, `:`; empty: block numbers are the only targets
-    std::string end_label;   // ends the section of a repeat
-    std::string axis_word;   // `AX`: a word whose axis stands between brackets behind it
+    std::string label_sign;   // behind a label, `:`
+    std::string label_quote;  // on both sides of a label, `"`; with neither sign block numbers are
+                              // the only targets
+    int label_length = 32;    // most characters of a label
+    bool names_blocks = false;  // a jump says a block by its word, `N20`, where there are no labels
+    std::string end_label;      // ends the section of a repeat
+    std::string axis_word;      // `AX`: a word whose axis stands between brackets behind it
     std::vector<std::string> lone_axis_words;  // `POS`: … and moves by itself
     LanguageRules rules;
     std::vector<OperatorForm> operators;
@@ -252,6 +257,7 @@ struct Language {
     std::vector<FramePartName> frame_parts;
     std::vector<GroupCodes> code_lists;
     CallLanguage calls;
+    bool has_labels() const { return !label_sign.empty() || !label_quote.empty(); }
     // Made when it is loaded.
     bool has_axes = false;              // values may be axes
     bool has_names_with_signs = false;  // `#<_feed>`, spelled out

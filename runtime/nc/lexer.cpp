@@ -4,6 +4,7 @@
 
 #include "base/diagnostics/control.h"
 #include "base/diagnostics/iso.h"
+#include "base/text.h"
 #include "nc/line_lexer.h"
 #include "nc/refused_words.h"
 
@@ -20,6 +21,7 @@ std::optional<LineFault> Lexer::run() {
     out_.clear();
     take_skip();
     while (!fault_ && skip_blanks()) {
+        if (take_front() == Claimed::Yes) continue;
         if (is_declared_name()) {
             take_piece();
         } else if (take_axis_word() == Claimed::Yes || take_language() == Claimed::Yes) {
@@ -74,6 +76,35 @@ void Lexer::take_skip_sign() {
     if (peek() == '/' && !notation_.has_several_skips) fail_here(diag::IsoSyntax);
 }
 
+/// Signs in front of the words that mean nothing here, and a label between its signs: `"LAB"`.
+Lexer::Claimed Lexer::take_front() {
+    const std::string& quote = tables_.language.label_quote;
+    if ((notation_.front_signs.empty() && quote.empty()) || !out_.words.empty()) return Claimed::No;
+    if (notation_.front_signs.find(peek()) != std::string::npos) {
+        ++at_;
+        return Claimed::Yes;
+    }
+    const bool is_label = !quote.empty() && line_.substr(at_).starts_with(quote);
+    if (!is_label || is_behind_statement_) return Claimed::No;
+    const std::size_t begin = at_;
+    const std::size_t first = begin + quote.size();
+    const std::size_t end = std::min(line_.find(quote, first), line_.size());
+    at_ = std::min(end + quote.size(), line_.size());
+    if (end == line_.size() || end == first || !out_.label.empty())
+        fail(diag::IsoSyntax, begin, at_, {std::string(line_.substr(begin, at_ - begin))});
+    else take_label(line_.substr(first, end - first), first);
+    return Claimed::Yes;
+}
+
+void Lexer::take_label(std::string_view written, std::size_t begin) {
+    const auto longest = static_cast<std::size_t>(tables_.language.label_length);
+    if (written.size() > longest) {
+        return fail(diag::LabelTooLong, begin, begin + written.size(),
+                    {std::string(written), std::to_string(longest)});
+    }
+    out_.label = notation_.ignores_case ? upper_ascii(written) : std::string(written);
+}
+
 Lexer::Claimed Lexer::take_language() {
     bool was_taken = false;
     if (compiler_ != nullptr) fault_ = compiler_->take_piece(at_, was_taken);
@@ -123,7 +154,9 @@ bool Lexer::is_computed(std::size_t at) const {
 
 void Lexer::take_piece() {
     if (line_.compare(at_, open_.size(), open_) == 0) return take_comment();
+    if (const CommentMarks* const other = other_comment(at_)) return take_other_comment(*other);
     const char c = peek();
+    if (c == '(' && tables_.has_bracket_calls) return take_call_in_brackets();
     if (c == notation_.end_sign && c != '\0') return take_end();
     if (c == '/' && notation_.has_several_skips) return take_skip_of_rest();
     is_behind_computed_ = false;
@@ -143,7 +176,9 @@ void Lexer::take_end() {
     if (!skip_blanks()) return;
     // Comments alone are a block that does nothing.
     while (at_ < line_.size() && is_comment(at_)) {
-        take_comment();
+        const CommentMarks* const other = other_comment(at_);
+        if (other != nullptr) take_other_comment(*other);
+        else take_comment();
         if (fault_ || !skip_blanks()) return;
     }
     // A word, or the comment of another control?
@@ -164,7 +199,7 @@ void Lexer::take_comment() {
         end = line_.find(close, begin);
         if (end == std::string_view::npos) return fail(diag::IsoCommentOpen, at_, line_.size(), {});
     }
-    std::string_view text = line_.substr(begin, end - begin);
+    const std::string_view text = line_.substr(begin, end - begin);
     const std::size_t start = at_;
     at_ = std::min(end + close.size(), line_.size());
     for (const FormId id : tables_.comment_forms) {
@@ -176,6 +211,10 @@ void Lexer::take_comment() {
                                   static_cast<std::uint32_t>(at_)};
         return;
     }
+    note_comment(text);
+}
+
+void Lexer::note_comment(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
     if (out_.has_comment) out_.comment += ' ';
@@ -183,7 +222,28 @@ void Lexer::take_comment() {
     out_.has_comment = true;
 }
 
+const CommentMarks* Lexer::other_comment(std::size_t at) const {
+    const auto& others = tables_.comment.also_read;
+    if (others.empty()) return nullptr;
+    const auto found = std::ranges::find_if(others, [&](const CommentMarks& marks) {
+        return line_.substr(at).starts_with(marks.open);
+    });
+    return found == others.end() ? nullptr : &*found;
+}
+
+void Lexer::take_other_comment(const CommentMarks& marks) {
+    const std::size_t begin = at_ + marks.open.size();
+    std::size_t end = line_.size();
+    if (!marks.close.empty()) {
+        end = line_.find(marks.close, begin);
+        if (end == std::string_view::npos) return fail(diag::IsoCommentOpen, at_, line_.size(), {});
+    }
+    note_comment(line_.substr(begin, end - begin));
+    at_ = std::min(end + marks.close.size(), line_.size());
+}
+
 bool Lexer::is_comment(std::size_t at) const {
+    if (other_comment(at) != nullptr) return true;
     return !open_.empty() && line_.compare(at, open_.size(), open_) == 0;
 }
 

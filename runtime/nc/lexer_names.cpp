@@ -40,13 +40,10 @@ void Lexer::take_name() {
             ++at_;
             const bool is_front = out_.words.empty() && out_.label.empty() && !is_behind_statement_;
             if (!is_front) return fail(diag::IsoSyntax, begin, at_, {std::string(written) + ':'});
-            constexpr std::size_t kLongest = 32;  // S 1.5
-            if (name.size() > kLongest)
-                return fail(diag::LabelTooLong, begin, end, {std::string(written)});
-            out_.label = name;
-            return;
+            return take_label(written, begin);
         }
         at_ = end;
+        if (take_letter_with_variable(begin) == Claimed::Yes) return;
         if (take_indexed(begin) == Claimed::Yes || take_computed_index(begin) == Claimed::Yes ||
             !require_axis_index(begin) || take_passed(begin) == Claimed::Yes)
             return;
@@ -316,6 +313,59 @@ void Lexer::take_quoted(AddressId address, std::size_t begin) {
 
 void Lexer::take_call(AddressId address, std::size_t begin) {
     ++at_;
+    take_arguments(address, begin);
+}
+
+Lexer::Claimed Lexer::take_letter_with_variable(std::size_t begin) {
+    const AddressId address = tables_.letters[static_cast<unsigned char>(peek_at(begin)) & 127u];
+    if (address == kNoAddress || compiler_ == nullptr || !compiler_->begins_value(begin + 1))
+        return Claimed::No;
+    at_ = begin + 1;
+    take_computed(address, begin);
+    return Claimed::Yes;
+}
+
+void Lexer::take_call_in_brackets() {
+    const std::size_t begin = at_++;
+    skip_blanks();
+    const std::size_t first = at_;
+    while (is_letter(peek()) || is_digit(peek())) ++at_;
+    std::string name(line_.substr(first, at_ - first));
+    if (notation_.ignores_case) name = upper_ascii(name);
+    name.insert(0, 1, '(');
+    const std::size_t end = at_;
+    skip_blanks();
+    const AddressId address = tables_.find_address(name);
+    if (address == kNoAddress) {
+        if (take_passed_in_brackets(name, begin) == Claimed::Yes) return;
+        const std::string known = tables_.unsupported_words(name);
+        if (!known.empty()) return fail(diag::IsoNotSupported, begin, end, {known});
+        return fail(diag::IsoUnknownWord, begin, end,
+                    {std::string(line_.substr(begin, end - begin))});
+    }
+    if (peek() == ',') ++at_;
+    else if (peek() != ')') return fail_here(diag::IsoSyntax);
+    take_arguments(address, begin);
+}
+
+Lexer::Claimed Lexer::take_passed_in_brackets(const std::string& name, std::size_t begin) {
+    const auto found = tables_.passed.find(name);
+    if (found == tables_.passed.end()) return Claimed::No;
+    at_ = end_of_brackets(begin);
+    out_.passed.push_back(
+        {{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)}, &found->second});
+    return Claimed::Yes;
+}
+
+AddressId Lexer::argument_letter() const {
+    if (!is_letter(peek())) return kNoAddress;
+    const AddressId address = tables_.letters[static_cast<unsigned char>(peek()) & 127u];
+    const bool is_variable = compiler_ != nullptr && compiler_->begins_value(at_);
+    return is_variable ? kNoAddress : address;
+}
+
+void Lexer::take_arguments(AddressId address, std::size_t begin) {
+    const bool is_in_brackets = tables_.addresses[address].name[0] == '(';
     const auto first = static_cast<std::uint16_t>(out_.arguments.size());
     auto mode = GivenWord::Mode::Modal;
     bool has_text = false;
@@ -324,6 +374,14 @@ void Lexer::take_call(AddressId address, std::size_t begin) {
             return fail(diag::IsoTooManyWords, begin, at_, {});
         }
         GivenArgument argument;
+        if (is_in_brackets) {
+            argument.letter = argument_letter();
+            if (argument.letter != kNoAddress) ++at_;
+            skip_blanks();
+        }
+        const bool is_letter_alone =
+            argument.letter != kNoAddress && (peek() == ',' || peek() == ')');
+        if (is_letter_alone) argument.kind = GivenArgument::Kind::Letter;
         const ModeWord* const own_mode =
             out_.arguments.size() == first ? end_mode_here(address) : nullptr;
         if (own_mode != nullptr) {
@@ -331,7 +389,9 @@ void Lexer::take_call(AddressId address, std::size_t begin) {
             at_ += own_mode->name.size() + 1;
             skip_blanks();
         }
-        if (peek() == '"' ? is_computed_text() : peek() != ',' && is_computed(at_)) {
+        if (peek() == '"'     ? is_computed_text()
+            : is_letter_alone ? false
+                              : peek() != ',' && is_computed(at_)) {
             fault_ = compiler_->take_value(at_, static_cast<std::uint16_t>(out_.words.size()),
                                            static_cast<std::int32_t>(out_.arguments.size()));
             if (fault_) return;
@@ -343,7 +403,7 @@ void Lexer::take_call(AddressId address, std::size_t begin) {
             out_.text.insert(0, before);
             has_text = true;
             argument.kind = GivenArgument::Kind::Text;
-        } else if (peek() != ',') {
+        } else if (peek() != ',' && !is_letter_alone) {
             const Decimal decimal = parse_decimal(line_.data() + at_, line_.data() + line_.size());
             const auto end = static_cast<std::size_t>(decimal.end - line_.data());
             if (end == at_) {

@@ -84,6 +84,12 @@ class Lexer {
     /// The sign that ends a block; nothing stands behind it in the line.
     void take_end();
     void take_comment();
+    void note_comment(std::string_view text);
+    /// The signs of a comment that is only read, if one begins here.
+    const CommentMarks* other_comment(std::size_t at) const;
+    void take_other_comment(const CommentMarks& marks);
+    Claimed take_front();
+    void take_label(std::string_view written, std::size_t begin);
     bool is_comment(std::size_t at) const;
     void add_word(AddressId address, std::size_t begin);
 
@@ -149,6 +155,16 @@ class Lexer {
     Done take_text(std::size_t begin);
     void take_quoted(AddressId address, std::size_t begin);
     void take_call(AddressId address, std::size_t begin);
+    /// `(UAO,1)`, `(UOT,1,X10,YE31)`, `(MIR,X)`: the brackets stand around the name.
+    void take_call_in_brackets();
+    /// The arguments and the closing bracket; `at_` is behind what stands in front of the first.
+    void take_arguments(AddressId address, std::size_t begin);
+    /// The letter of an argument that is found by it, if one stands here: `X10`, `X`.
+    AddressId argument_letter() const;
+    /// A word that is passed over, which ends with its closing bracket.
+    Claimed take_passed_in_brackets(const std::string& name, std::size_t begin);
+    /// `XE30`: a variable whose name begins with a letter, directly behind an address.
+    Claimed take_letter_with_variable(std::size_t begin);
 
     const DialectTables& tables_;
     const Notation& notation_;

@@ -267,6 +267,7 @@ class SenseCheck {
     void check_unsupported(const XmlElement& element) {
         for (const XmlWord& word : words_of(*element.find("words"))) {
             const char first = word.text[0];
+            if (first == '(' && tables_.has_bracket_calls) continue;
             if (!is_letter(first) && first != '$' && first != '#') {
                 sink_.report(diag::DialectNeverRead, word.range)
                     .arg(word.text)

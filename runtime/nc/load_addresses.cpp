@@ -1,6 +1,7 @@
 // The heads of words: which letters and names there are, and how their numbers look.
 #include <array>
 
+#include "base/diagnostics/dialect.h"
 #include "base/done.h"
 #include "nc/load_parts.h"
 
@@ -123,6 +124,35 @@ void load_address(const XmlElement& element, DialectTables& tables, Attributes& 
     Attributes::read_text(element, "doc", address.doc);
 }
 
+/// `<number commands="dwell" decimals="2"/>`: of the words in the forms that stand above it.
+static void load_number_of_commands(const XmlElement& element, const XmlAttribute& commands,
+                                    DialectTables& tables, Attributes& attributes) {
+    DiagnosticList unheard;
+    Attributes silent(unheard);
+    for (const XmlWord& word : words_of(commands)) {
+        const auto function = attributes.function_named(word);
+        if (!function) continue;
+        bool has_word = false;
+        const auto set = [&](FormWord& each) {
+            if (each.kind != FormWord::Kind::Value || each.address == kNoAddress) return;
+            if (!each.format) each.format = tables.addresses[each.address].format;
+            read_format(element, *each.format, silent);
+            has_word = true;
+        };
+        for (Form& form : tables.forms) {
+            if (form.function != *function) continue;
+            for (FormWord& each : form.words) {
+                set(each);
+                for (FormWord& argument : each.arguments) set(argument);
+            }
+            for (std::vector<FormWord>& line : form.extra)
+                for (FormWord& each : line) set(each);
+        }
+        if (!has_word)
+            attributes.bad_word(word, "commands", "no form above this line has a number of it");
+    }
+}
+
 void load_number(const XmlElement& element, DialectTables& tables, Attributes& attributes) {
     // A wrong value is reported once, not for every address.
     NumberFormat checked;
@@ -130,7 +160,18 @@ void load_number(const XmlElement& element, DialectTables& tables, Attributes& a
     if (!check_decimals(element, checked, attributes)) return;
     DiagnosticList unheard;
     Attributes silent(unheard);
-    for (const XmlWord& word : words_of(needed(element, "addresses"))) {
+    const XmlAttribute* const addresses = element.find("addresses");
+    const XmlAttribute* const commands = element.find("commands");
+    if ((addresses == nullptr) == (commands == nullptr)) {
+        attributes.fail();
+        attributes.sink()
+            .report(diag::DialectBadForm, element.range)
+            .arg("number")
+            .arg("it is said of `addresses` or of `commands`");
+        return;
+    }
+    if (commands != nullptr) return load_number_of_commands(element, *commands, tables, attributes);
+    for (const XmlWord& word : words_of(*addresses)) {
         if (word.text == kCallAddress) (void)address_named(tables, kCallAddress);  // adds it
         const AddressId id = tables.find_address(word.text);
         if (id == kNoAddress) {

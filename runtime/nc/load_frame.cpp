@@ -129,15 +129,37 @@ void replace_unless_given(char sign, CommentStyle& style) {
     if (!is_given) style.replacements.emplace_back(sign, sign == ']' ? ")" : "]");
 }
 
+/// Signs of a comment that is only read.
+void load_read_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes) {
+    CommentMarks marks{needed(element, "open").value, {}};
+    Attributes::read_text(element, "close", marks.close);
+    const auto begins_alike = [&](std::string_view open) {
+        while (open.ends_with(' ')) open.remove_suffix(1);
+        return open.starts_with(marks.open) || marks.open.starts_with(open);
+    };
+    const bool is_taken = begins_alike(style.open) ||
+                          std::ranges::any_of(style.also_read, [&](const CommentMarks& other) {
+                              return begins_alike(other.open);
+                          });
+    if (is_taken)
+        return attributes.bad_value(needed(element, "open"), "a comment begins so already");
+    style.also_read.push_back(std::move(marks));
+}
+
 void load_comment(const XmlElement& element, CommentStyle& style, Attributes& attributes) {
     style.open = needed(element, "open").value;
     style.close.clear();
     Attributes::read_text(element, "close", style.close);
     style.replacements.clear();
+    style.also_read.clear();
     style.is_upper = attributes.choice(element, "case", {"any", "upper"}) == 1u;
     style.is_ascii = attributes.choice(element, "charset", {"utf8", "ascii"}) == 1u;
     attributes.read_number(element, "max_length", style.max_length);
     for (const XmlElement& replace : element.children) {
+        if (replace.name == "read") {
+            load_read_comment(replace, style, attributes);
+            continue;
+        }
         const XmlAttribute& character = needed(replace, "character");
         const XmlAttribute& by = needed(replace, "by");
         const auto is_same = [&](const auto& pair) { return pair.first == character.value[0]; };
@@ -180,6 +202,7 @@ void load_notation(const XmlElement& element, Notation& notation, Attributes& at
         if (sign->value.size() == 1) notation.end_sign = sign->value[0];
         else attributes.bad_value(*sign, "one ASCII character is expected");
     }
+    Attributes::read_text(element, "front_signs", notation.front_signs);
     Attributes::read_text(element, "block_end", notation.block_end);
     Attributes::read_text(element, "modal_call", notation.modal_call);
     const auto read_words = [&](std::string_view name, std::vector<std::string>& out) {

@@ -39,6 +39,12 @@ class LanguageLoader {
         read_sign(element, "index_open", language_.index_open);
         read_sign(element, "index_close", language_.index_close);
         Attributes::read_text(element, "label_sign", language_.label_sign);
+        Attributes::read_text(element, "label_quote", language_.label_quote);
+        attributes_.read_number(element, "label_length", language_.label_length);
+        attributes_.read_flag(element, "block_words", language_.names_blocks);
+        if (const XmlAttribute* quote = element.find("label_quote");
+            quote != nullptr && !language_.label_sign.empty())
+            attributes_.bad_value(*quote, "labels have a `label_sign` already");
         Attributes::read_text(element, "end_label", language_.end_label);
         Attributes::read_text(element, "axis_word", language_.axis_word);
         if (const XmlAttribute* words = element.find("lone_axis_words")) {
@@ -335,8 +341,10 @@ class LanguageLoader {
         if (const XmlAttribute* operation = element.find("operation"))
             read_operation(*operation, form);
         if (!read_tokens(element.text, form)) {
-            return attributes_.bad_word({element.text, element.text_range}, "statement",
-                                        "a keyword is expected first, and known {holes}");
+            return attributes_.bad_word(
+                {element.text, element.text_range}, "statement",
+                "a keyword is expected first, behind a bracket at most, and known "
+                "{holes}");
         }
         if (!fits_operation(form))
             return attributes_.bad_value(name, "its operation takes another number of values");
@@ -426,6 +434,12 @@ class LanguageLoader {
             } else {
                 token.kind = StatementToken::Kind::Sign;
                 token.text = c;
+                // In front of the keyword: `(BNC,{target})`.
+                if (form.tokens.empty()) {
+                    form.front += c;
+                    at = end;
+                    continue;
+                }
             }
             token.is_optional |= is_optional;
             is_optional = false;

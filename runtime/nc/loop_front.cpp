@@ -30,4 +30,13 @@ std::optional<int> loop_in_front(const ControlWords& words, std::string_view lin
     return words.matches(keyword, form.tokens[2].text) ? std::optional(number) : std::nullopt;
 }
 
+std::optional<std::size_t> behind_front(const ControlWords& words, std::string_view line,
+                                        const StatementForm& form, std::size_t at) {
+    for (const char sign : form.front) {
+        if (at >= line.size() || line[at] != sign) return std::nullopt;
+        at = words.skip_blanks(at + 1);
+    }
+    return at;
+}
+
 }  // namespace kadr::nc

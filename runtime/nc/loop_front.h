@@ -17,4 +17,9 @@ bool begins_with_loop(const StatementForm& form);
 std::optional<int> loop_in_front(const ControlWords& words, std::string_view line,
                                  const StatementForm& form, std::size_t at);
 
+/// Behind the signs with which the pattern begins, `(` of `(BNC,{target})`; nothing: they do not
+/// stand at `at`.
+std::optional<std::size_t> behind_front(const ControlWords& words, std::string_view line,
+                                        const StatementForm& form, std::size_t at);
+
 }  // namespace kadr::nc

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "nc/builder_codes.h"
+#include "nc/center_words.h"
 #include "nc/number_text.h"
 
 namespace kadr::nc {
@@ -409,13 +410,16 @@ class Matcher {
                     refuse(fit, FormFit::Answer::Value, i);
                 if (wanted.tail_digits > 0 && word.is_known && !has_tail(wanted, word.number))
                     refuse(fit, FormFit::Answer::Value, i);
+                if (wanted.has_point_tail && word.is_known && word.number < 0)
+                    refuse(fit, FormFit::Answer::Value, i);
                 break;
             case FormWord::Kind::Quoted:
                 if (!word.is_text) refuse(fit, FormFit::Answer::Value, i);
                 break;
             case FormWord::Kind::Call: fit_call(form, wanted, i, fit); break;
             case FormWord::Kind::Empty:
-            case FormWord::Kind::Text: break;
+            case FormWord::Kind::Text:
+            case FormWord::Kind::Rest: break;
         }
     }
 
@@ -451,6 +455,7 @@ class Matcher {
         if (form.when.empty()) return true;
         double value = (number - wanted.offset) / wanted.factor;
         if (wanted.in_increments) value *= increment_size(tables_, wanted.dimension, TextUnits{});
+        if (wanted.has_point_tail) value = std::floor(value);
         if (wanted.tail_digits > 0) value = std::floor(value / std::pow(10.0, wanted.tail_digits));
         return std::ranges::none_of(form.when, [&](const Constraint& c) {
             return c.parameter == wanted.parameter && (value < c.least || value > c.most);
@@ -462,8 +467,50 @@ class Matcher {
                form.when.end();
     }
 
+    /// The argument that one of the form's is; -1: it is not given. Those with letters are found by
+    /// them, the others by their place.
+    int given_for(const FormWord& call, std::size_t wanted, const GivenWord& word) const {
+        const AddressId letter = call.arguments[wanted].address;
+        std::size_t place = 0;
+        for (std::size_t a = 0; a < wanted; ++a)
+            place += call.arguments[a].address == kNoAddress ? 1 : 0;
+        for (std::size_t a = 0; a < word.argument_count; ++a) {
+            const AddressId given = arguments_[word.first_argument + a].letter;
+            if (given != letter) continue;
+            if (letter != kNoAddress || place-- == 0) return static_cast<int>(a);
+        }
+        return -1;
+    }
+
+    static bool has_rest(const FormWord& call) {
+        return !call.arguments.empty() && call.arguments.back().kind == FormWord::Kind::Rest;
+    }
+
+    /// `(UOT,1,Y5)`: of a command in brackets.
+    void fit_lettered(const Form& form, const FormWord& wanted, std::size_t i, FormFit& fit) const {
+        const GivenWord& word = words_[i];
+        std::bitset<kMaxCallArguments> taken;
+        for (std::size_t a = 0; a < wanted.arguments.size(); ++a) {
+            const int at = given_for(wanted, a, word);
+            const GivenArgument given =
+                at < 0 ? GivenArgument{}
+                       : arguments_[word.first_argument + static_cast<std::size_t>(at)];
+            if (at >= 0) taken.set(static_cast<std::size_t>(at));
+            const bool fits = fits_argument(form, wanted.arguments[a], given);
+            if (!fits) refuse(fit, FormFit::Answer::Value, i, std::max(at, 0));
+            if (fits && at >= 0) ++fit.matched;
+        }
+        if (has_rest(wanted)) return;
+        for (std::size_t a = 0; a < word.argument_count; ++a) {
+            const bool is_beyond =
+                !taken[a] && arguments_[word.first_argument + a].kind != GivenArgument::Kind::Empty;
+            if (is_beyond) refuse(fit, FormFit::Answer::Value, i, static_cast<int>(a));
+        }
+    }
+
     void fit_call(const Form& form, const FormWord& wanted, std::size_t i, FormFit& fit) const {
         const GivenWord& word = words_[i];
+        if (wanted.text.starts_with('(')) return fit_lettered(form, wanted, i, fit);
         for (std::size_t a = 0; a < word.argument_count || a < wanted.arguments.size(); ++a) {
             const GivenArgument given =
                 a < word.argument_count ? arguments_[word.first_argument + a] : GivenArgument{};
@@ -479,8 +526,12 @@ class Matcher {
         const bool is_empty = given.kind == GivenArgument::Kind::Empty;
         const bool is_number = given.kind == GivenArgument::Kind::Number;
         const bool is_text = given.kind == GivenArgument::Kind::Text;
+        if (want.kind == FormWord::Kind::Rest) return true;
         if (want.kind == FormWord::Kind::Empty) return is_empty;
+        if (want.is_letter_alone)
+            return given.kind == GivenArgument::Kind::Letter || (is_empty && want.is_optional);
         if (want.kind == FormWord::Kind::Text) return is_text || (is_empty && want.is_optional);
+        if (want.is_work_offset) return is_number && given.number == modal_.work_offset;
         if (want.kind == FormWord::Kind::Fixed)
             return is_empty ? want.number == 0 : is_number && is_fixed(want, given.number);
         if (is_empty) return want.is_optional || want.has_default;
@@ -579,11 +630,21 @@ class Matcher {
         }
         if (wanted.kind != FormWord::Kind::Call) return;
         const GivenWord& word = words_[i];
+        if (wanted.text.starts_with('(')) return claim_lettered(wanted, i, invocation);
         for (std::size_t a = 0; a < word.argument_count && a < wanted.arguments.size(); ++a) {
             const FormWord& argument = wanted.arguments[a];
             if (argument.parameter < 0) continue;
             if (arguments_[word.first_argument + a].kind == GivenArgument::Kind::Empty) continue;
             claim(argument, i, static_cast<int>(a), invocation);
+        }
+    }
+
+    void claim_lettered(const FormWord& wanted, std::size_t i, std::uint8_t invocation) {
+        const GivenWord& word = words_[i];
+        for (std::size_t a = 0; a < wanted.arguments.size(); ++a) {
+            if (wanted.arguments[a].parameter < 0) continue;
+            const int at = given_for(wanted, a, word);
+            if (at >= 0) claim(wanted.arguments[a], i, at, invocation);
         }
     }
 
@@ -604,6 +665,8 @@ class Matcher {
         claim.in_increments = wanted.in_increments;
         claim.tail_digits = wanted.tail_digits;
         claim.tail_parameter = wanted.tail_parameter;
+        claim.has_point_tail = wanted.has_point_tail;
+        claim.format = wanted.format ? &*wanted.format : nullptr;
         claim.factor = wanted.factor;
         claim.plain_factor = wanted.plain_factor;
         claim.offset = wanted.offset;
@@ -640,7 +703,9 @@ class Matcher {
         if (has_form) return take_form(i, head.forms);
         if (head.slot < 0) return MatchFault{MatchFault::Kind::Unused, i};
         if (word.is_text) return MatchFault{MatchFault::Kind::NoNumber, i};
-        const auto slot = static_cast<Slot>(head.slot);
+        const std::optional<Slot> meant = slot_meant(static_cast<Slot>(head.slot));
+        if (!meant) return MatchFault{MatchFault::Kind::Unused, i};
+        const Slot slot = *meant;
         if (block_.has(slot) || (seen_slots_ & bit(slot)) != 0)
             return MatchFault{MatchFault::Kind::AddressTwice, i, i};
         seen_slots_ |= bit(slot);
@@ -653,9 +718,20 @@ class Matcher {
         Claim& claim = match_.claims[match_.claim_count++];
         claim = {};
         claim.word = static_cast<std::uint16_t>(i);
-        claim.index = static_cast<std::uint8_t>(head.slot);
+        claim.index = static_cast<std::uint8_t>(slot);
         claim.dimension = head.dimension;
         return {};
+    }
+
+    /// The slot that a word sets by itself. Of a centre beside an arc it may be the axis of the
+    /// plane that tells; the word of the axis across means nothing then.
+    std::optional<Slot> slot_meant(Slot slot) const {
+        if (!tables_.rules.center_by_plane || (bit(slot) & kCenterSlots) == 0) return slot;
+        const Function motion =
+            block_.motion != Function::None ? block_.motion : active_of(Group::Motion);
+        if (motion != Function::ArcCw && motion != Function::ArcCcw) return slot;
+        if (slot == Slot::CenterZ) return std::nullopt;
+        return center_slot_of_word(slot, active_of(Group::Plane));
     }
 
     /// False: a word of the slot cannot be given so.

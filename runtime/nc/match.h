@@ -46,8 +46,9 @@ struct GivenWord {
 };
 
 struct GivenArgument {
-    enum class Kind : std::uint8_t { Empty, Number, Text, Computed };
-    Kind kind = Kind::Empty;  // Computed: a number that is known when the program runs
+    enum class Kind : std::uint8_t { Empty, Number, Text, Computed, Letter };
+    Kind kind = Kind::Empty;        // Computed: a number that is known when the program runs
+    AddressId letter = kNoAddress;  // in front of the number, or alone (Kind::Letter)
     double number = 0;
 };
 
@@ -66,8 +67,10 @@ struct Claim {
     bool in_increments = false;  // the number counts least increments
     int tail_digits = 0;         // that are another parameter, or none
     int tail_parameter = -1;
-    double factor = 1;        // number in the text = value · factor + offset
-    double plain_factor = 0;  // as factor, of a number without a point; 0: the same
+    bool has_point_tail = false;           // … the digits behind the point
+    const NumberFormat* format = nullptr;  // of the form; null: of the word's address
+    double factor = 1;                     // number in the text = value · factor + offset
+    double plain_factor = 0;               // as factor, of a number without a point; 0: the same
     double offset = 0;
 };
 

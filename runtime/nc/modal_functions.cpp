@@ -17,6 +17,12 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
             member_of(modal, Group::CycleMode) = Function::Cycle;
             modal.cycle = block.cycle;
             break;
+        case EffectKind::WorkOffset: {
+            const Invocation* const said = block.find(Function::WorkOffset);
+            constexpr std::size_t kNumber = parameter_of<Function::WorkOffset>("number");
+            modal.work_offset = said == nullptr ? -1 : block.argument(*said, kNumber, -1);
+            break;
+        }
         case EffectKind::Shift:
         case EffectKind::ShiftAdd:
         case EffectKind::Rotate:
@@ -26,7 +32,6 @@ void follow_effect(const Block& block, const Effect& effect, ModalFunctions& mod
         case EffectKind::ScaleOff:
         case EffectKind::MirrorOff:
         case EffectKind::SetPosition:
-        case EffectKind::WorkOffset:
         case EffectKind::WritesWorkOffset:
         case EffectKind::CorrectsWorkOffset:
         case EffectKind::WritesLength:

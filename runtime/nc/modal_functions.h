@@ -11,6 +11,7 @@ namespace kadr::nc {
 
 /// Active members of the modal groups as far as they are known; None: not known.
 struct ModalFunctions : std::array<Function, kGroups> {
+    double work_offset = -1;  // its number; below 0: not known
     CycleId cycle = 0;  // the one that was called last; it is modal if the cycle mode is Cycle
 
     bool operator==(const ModalFunctions&) const = default;

@@ -30,6 +30,8 @@ void ReadingModes::follow_line(const Block& block) {
     follow(block);
     if (block.skip_level < 0) return;
     // Nobody knows here whether the operator lets the block run.
+    if (block.function_count != 0 && block.find(Function::WorkOffset) != nullptr)
+        modal_.work_offset = -1;
     for (std::size_t i = 0; i < block.function_count; ++i) {
         const Group group = info(block.functions[i].function).group;
         const bool scales =

@@ -88,6 +88,7 @@ struct FormWord {
         Call,    // name and arguments in parentheses
         Empty,   // an argument that is left out
         Text,    // an argument between quotes: `"{text}"`
+        Rest,    // `{...}`: whatever arguments follow; read only
     };
     Kind kind = Kind::Fixed;
     AddressId address = kNoAddress;
@@ -96,7 +97,8 @@ struct FormWord {
     // Fixed, `{=0.5:length}`: the number is a quantity, written and read in the units of the text;
     // `text` is what stands before it.
     bool is_quantity = false;
-    int parameter = -1;  // Value, Quoted, Text
+    bool is_work_offset = false;  // Fixed, `{=work_offset}`: the number of the one that acts
+    int parameter = -1;           // Value, Quoted, Text
     Dimension dimension = Dimension::Number;
     double factor = 1;  // written = value · factor + offset
     double offset = 0;
@@ -106,10 +108,12 @@ struct FormWord {
     int tail_digits = 0;
     int tail_parameter = -1;
     int tail_value = 0;
-    bool is_named_only = false;   // the word stands for itself, its number is always 0 …
-    bool is_placeholder = false;  // … or, where it is read, any number, which means nothing
-    bool is_absolute = false;     // absolute by itself, `AC(…)`; in forms that are read
-    bool is_incremental = false;  // incremental by itself: `IC(…)`
+    bool has_point_tail = false;   // … its digits behind the point: `T{tool}.{offset}`
+    bool is_letter_alone = false;  // of a call in brackets: the letter without a number, `(MIR,X)`
+    bool is_named_only = false;    // the word stands for itself, its number is always 0 …
+    bool is_placeholder = false;   // … or, where it is read, any number, which means nothing
+    bool is_absolute = false;      // absolute by itself, `AC(…)`; in forms that are read
+    bool is_incremental = false;   // incremental by itself: `IC(…)`
     bool takes_rotary_approaches =
         false;  // an angle that may give its rotary approach: `DC(…)`, `ACP(…)`, `ACN(…)`
     bool is_pitch = false;     // the pitch of a thread, which counts in every revolution
@@ -119,8 +123,9 @@ struct FormWord {
     bool has_default = false;  // written with `fallback` if the parameter was not given
     double fallback = 0;
     bool is_optional = false;
+    std::optional<NumberFormat> format;  // of the command; else that of the address
     bool is_kept = false;             // optional because a cycle before it may have given the word
-    std::vector<FormWord> arguments;  // Call
+    std::vector<FormWord> arguments;  // Call; with an address: `X{x}`, found by its letter
 };
 
 /// The parameter lies in this range, whole numbers.
@@ -194,12 +199,19 @@ struct DialectGroup {
     bool stands_together = false;  // several of its codes may stand in one block
 };
 
+/// What stands around a comment; one without a closing sign goes to the end of its line.
+struct CommentMarks {
+    std::string open;
+    std::string close;
+};
+
 struct CommentStyle {
     std::string open = "(";
     std::string close = ")";
     bool is_upper = false;
     bool is_ascii = false;
-    std::size_t max_length = 0;  // characters; 0: no limit
+    std::size_t max_length = 0;           // characters; 0: no limit
+    std::vector<CommentMarks> also_read;  // other signs, which are never written
     std::vector<std::pair<char, std::string>> replacements;
 };
 
@@ -254,6 +266,7 @@ struct Notation {
     bool blanks_inside_words = false;  // `X 10`, `G 0 1`
     bool has_several_skips = false;    // `/1/3`: left out at either level
     char end_sign = '\0';              // that may end a block before the line ends
+    std::string front_signs;           // each may stand in front of a block, and means nothing here
     std::string block_end;             // written behind the words of every block
     std::string modal_call;            // word that makes the cycle behind it modal; empty: none
     std::vector<std::string> spindle_words;  // that may name the spindle: `S1=500`, `SPOS[1]=90`
@@ -340,6 +353,7 @@ struct DialectTables {
     AddressNames names;                    // all addresses by name
     bool has_names = false;                // of two letters and more (`CR`, `MSG`)
     bool has_comma_words = false;          // `,C`
+    bool has_bracket_calls = false;        // `(UAO,{number})`: the brackets stand around the name
     std::vector<std::vector<std::uint16_t>>
         code_index;  // [address][number·10] → index + 1 into `codes`
     std::vector<CodeStart> codes;

@@ -76,6 +76,8 @@ bool is_on_circle(const TextView& text, const ArcPoints& arc, const PlanePoint& 
 }
 
 bool is_coordinate_center(const TextView& text, Slot slot) {
+    // Where the axes of the plane are counted, the first letter tells for all.
+    if (text.tables.rules.center_by_plane) slot = Slot::CenterX;
     return text.has_address(slot) && text.address_of(slot).is_coordinate &&
            text.modal.text_of(Group::Distance) != Function::Incremental;
 }

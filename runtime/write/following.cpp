@@ -85,12 +85,13 @@ void TextState::follow_effect(const Block& block, const Effect& effect) {
             break;
         case EffectKind::Tilts: modal_.frame.tilted = Activity::Yes; [[fallthrough]];
         case EffectKind::TurnsSystem: forget_unsaid(block); break;
-        case EffectKind::WorkOffset:
-            modal_.work_offset = {true,
-                                  block.argument(effect.invocation_in(block),
-                                                 parameter_of<Function::WorkOffset>("number"))};
+        case EffectKind::WorkOffset: {
+            constexpr std::size_t kNumber = parameter_of<Function::WorkOffset>("number");
             forget_unsaid(block);
+            modal_.work_offset = {true, block.argument(effect.invocation_in(block), kNumber)};
+            modal_.text.work_offset = modal_.work_offset.value;
             break;
+        }
         case EffectKind::EndsTiltedPlane: end_tilted_plane(block, effect); break;
         case EffectKind::WritesWorkOffset:
         case EffectKind::CorrectsWorkOffset: modal_.position.forget(); break;

@@ -49,6 +49,7 @@ void WriterModal::join(const WriterModal& other) {
         text[i] = Function::None;
         doubtful |= bit(static_cast<Group>(i)) & kRestated;
     }
+    if (text.work_offset != other.text.work_offset) text.work_offset = -1;
     doubtful |= other.doubtful;
     keep(feed, other.feed);
     keep(speed, other.speed);
@@ -65,6 +66,7 @@ void WriterModal::join(const WriterModal& other) {
 void WriterModal::forget() {
     meant.fill(Function::None);
     text.fill(Function::None);
+    text.work_offset = -1;
     doubtful = 0;
     feed.is_known = speed.is_known = has_meant_feed = has_meant_speed = false;
     edge.is_lost = edge.is_lost || (edge.number.is_known && edge.number.value != 0);

@@ -7,6 +7,7 @@
 #include "base/diagnostics/dialect.h"
 #include "base/numbers.h"
 #include "base/readable.h"
+#include "nc/center_words.h"
 #include "nc/comment_text.h"
 #include "write/lines.h"
 
@@ -118,33 +119,45 @@ void Words::append_word(const Block& block, const FormWord& word, const Invocati
             blank(out);
             out += word.text;
             if (is_quoted) out += '"';
-            append_parameter(block, word, invocation, tables_.addresses[word.address].format,
+            append_parameter(block, word, invocation,
+                             word.format ? *word.format : tables_.addresses[word.address].format,
                              tables_.addresses[word.address].name, out);
             if (is_quoted) out += '"';
             break;
         }
         case FormWord::Kind::Empty:
-        case FormWord::Kind::Text: break;
+        case FormWord::Kind::Text:
+        case FormWord::Kind::Rest: break;
     }
 }
 
 void Words::append_call(const Block& block, const FormWord& word, const Invocation* invocation,
                         std::string& out) {
     blank(out);
+    const bool is_in_brackets = word.text.starts_with('(');  // around the name
     out += word.text;
-    out += '(';
-    std::size_t last = 0;  // past the last argument that is not empty
+    if (!is_in_brackets) out += '(';
+    std::size_t last = is_in_brackets ? out.size() : 0;  // past the last argument that is not empty
     const NumberFormat format = argument_format(tables_);
     NumberFormat angles = format;
     angles.decimals = std::max(format.decimals, kArgumentAngleDecimals);
     for (std::size_t i = 0; i < word.arguments.size(); ++i) {
         const FormWord& argument = word.arguments[i];
-        if (i > 0) out += ',';
-        const std::size_t before = out.size();
         const bool is_given = argument.parameter >= 0 && invocation != nullptr &&
                               (invocation->given >> argument.parameter & 1u) != 0;
+        const bool is_lettered = argument.address != kNoAddress;
+        if (is_lettered && !is_given && !argument.has_default) continue;
+        if (i > 0 || is_in_brackets) out += ',';
+        const std::size_t before = out.size();
+        if (is_lettered) {
+            append_lettered(block, argument, invocation, out);
+            last = out.size();
+            continue;
+        }
         if (argument.is_quantity) {
             append_quantity(block, argument, format, word.text, out);
+        } else if (argument.is_work_offset) {
+            append_work_offset(block, out);
         } else if (argument.kind == FormWord::Kind::Fixed) {
             out += argument.text;
         } else if (argument.kind == FormWord::Kind::Text) {
@@ -166,6 +179,24 @@ void Words::append_call(const Block& block, const FormWord& word, const Invocati
     if (last != 0) out.resize(last);
     while (out.ends_with(',')) out.pop_back();
     out += ')';
+}
+
+/// The number of the work offset that acts, which the command names.
+void Words::append_work_offset(const Block& block, std::string& out) {
+    const double number = modal_.text.work_offset;
+    if (number < 0)
+        return messages_.cannot_express(block, "a frame where the work offset is not known");
+    append_shortest(out, number);
+}
+
+/// `X10.`, `X`: an argument with its letter, whose numbers it has.
+void Words::append_lettered(const Block& block, const FormWord& word, const Invocation* invocation,
+                            std::string& out) {
+    out += word.text;
+    if (word.is_letter_alone) return;
+    append_parameter(block, word, invocation,
+                     word.format ? *word.format : tables_.addresses[word.address].format, word.text,
+                     out);
 }
 
 /// A number of the form itself, in the units of the text.
@@ -211,6 +242,7 @@ void Words::append_parameter(const Block& block, const FormWord& word, const Inv
     double value = invocation == nullptr ? held_offset_
                                          : block.argument(*invocation, parameter, word.fallback);
     if (word.is_named_only) value = 0;
+    if (word.has_point_tail) return append_both(block, word, value, invocation, name, out);
     if (word.in_increments || word.tail_digits > 0) {
         append_whole(block, word, value, invocation, name, out);
         return;
@@ -243,6 +275,27 @@ void Words::append_parameter(const Block& block, const FormWord& word, const Inv
     check_rounding(block, number, places, word.dimension, name);
     if (word.dimension == Dimension::Angle && invocation != nullptr)
         state_.say_turn(block, *invocation, number, places);
+}
+
+/// `1.4`: two whole numbers with a point between them.
+void Words::append_both(const Block& block, const FormWord& word, double value,
+                        const Invocation* invocation, std::string_view name, std::string& out) {
+    NumberFormat format;
+    format.decimals = format.inch_decimals = 0;
+    format.point = PointRule::Never;
+    format.max_digits = 8;
+    format.allows_minus = false;
+    const auto append = [&](double number) {
+        const NumberFault fault =
+            append_number(out, number, format, Dimension::Count, modal_.units);
+        if (fault != NumberFault::None)
+            messages_.number_fault(block, fault, number, Dimension::Count, name);
+    };
+    append(value);
+    const auto tail = static_cast<std::size_t>(word.tail_parameter);
+    if (invocation != nullptr && (invocation->given >> tail & 1u) == 0) return;
+    out += '.';
+    append(invocation == nullptr ? value : block.argument(*invocation, tail));
 }
 
 /// A whole number without a point: so many increments, or a number in two parts, the first of two
@@ -299,10 +352,19 @@ void Words::append_factor(const Block& block, double number, bool in_thousandths
         messages_.number_fault(block, fault, programmed, Dimension::Factor, name);
 }
 
+/// The slot whose letter is written for a slot: that of a centre's word may be told by the plane.
+std::size_t Words::word_slot(const Block& block, Slot slot) const {
+    const bool is_turned = tables_.rules.center_by_plane && is_arc(text_.effective_motion(block));
+    if (!is_turned) return static_cast<std::size_t>(slot);
+    const Function plane = modal_.meant_of(Group::Plane);
+    return static_cast<std::size_t>(nc::center_word_of_slot(slot, plane));
+}
+
 void Words::append_slot(const Block& block, Slot slot, const Targets& targets, std::string& out) {
     const bool by_letter = (targets.by_letter & bit(slot)) != 0;
     const auto at = static_cast<std::size_t>(slot);
-    const AddressId id = by_letter ? tables_.incremental_address[at] : tables_.slot_address[at];
+    const AddressId id =
+        by_letter ? tables_.incremental_address[at] : tables_.slot_address[word_slot(block, slot)];
     if (id == kNoAddress)
         return messages_.cannot_express(block, '`' + std::string(slot_name(slot)) + '`');
     const Address& address = tables_.addresses[id];

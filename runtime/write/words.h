@@ -44,12 +44,18 @@ class Words {
                      std::string& out);
     void append_call(const Block& block, const FormWord& word, const Invocation* invocation,
                      std::string& out);
+    void append_work_offset(const Block& block, std::string& out);
+    void append_lettered(const Block& block, const FormWord& word, const Invocation* invocation,
+                         std::string& out);
+    std::size_t word_slot(const Block& block, Slot slot) const;
     void append_quantity(const Block& block, const FormWord& word, const NumberFormat& format,
                          std::string_view name, std::string& out);
     void append_parameter(const Block& block, const FormWord& word, const Invocation* invocation,
                           const NumberFormat& format, std::string_view name, std::string& out);
     void append_whole(const Block& block, const FormWord& word, double value,
                       const Invocation* invocation, std::string_view name, std::string& out);
+    void append_both(const Block& block, const FormWord& word, double value,
+                     const Invocation* invocation, std::string_view name, std::string& out);
     void append_factor(const Block& block, double number, bool in_thousandths,
                        const NumberFormat& address, std::string_view name, std::string& out);
     void append_text(const Block& block, std::string& out);

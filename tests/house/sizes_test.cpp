@@ -35,6 +35,8 @@ constexpr std::size_t kMostFunctionLines = 120;
 /// Classes of behaviour that are still to be cut by owners.
 const std::map<std::string, Size> kLargeClasses = {
     {"Preparer::State", {96, 32}},
+    {"FormWord", {60, 29}},
+    {"Lexer", {65, 25}},
 };
 
 /// Data that is generated, loaded once, or the words of one block: as many members as it has.
