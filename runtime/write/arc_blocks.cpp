@@ -175,15 +175,47 @@ Block block_of(const ArcParts& parts, std::size_t part, const TextView& text) {
 
 // ---------------------------------------------------------------- turns of a helix
 
+namespace {
+
+/// Whether the block is a helix that the control is not told of.
+bool is_straightened(const TextView& text, const Block& block) {
+    const bool has_helices = text.tables.rules.helix_written;
+    if (has_helices || !is_arc(text.effective_motion(block))) return false;
+    if (text.modal.meant_of(Group::Plane) == Function::None) return false;
+    const std::size_t across = text.plane_axes()[2];
+    const auto slot = static_cast<Slot>(across);
+    if (!block.has(slot)) return false;
+    return text.is_distance(block, across)
+               ? block.at(slot) != 0
+               : (text.modal.position.known >> across & 1u) == 0 ||
+                     block.at(slot) != text.modal.position.meant[across];
+}
+
+/// How many lines are as near to the helix as a contour is cut.
+int chords_of(const HelixTurns& helix) {
+    constexpr double kChord = 0.005;  // mm between an arc and its chord; half the tolerance of arcs
+    constexpr int kMost = 100'000;
+    const double radius =
+        std::hypot(helix.from[0] - helix.center[0], helix.from[1] - helix.center[1]);
+    const double total = kTurnRad * helix.turns + helix.rest;
+    const double step = radius > 2 * kChord ? 2 * std::acos(1 - kChord / radius) : kTurnRad / 4;
+    return static_cast<int>(std::clamp(std::ceil(total / step), 1.0, double{kMost}));
+}
+
+}  // namespace
+
 std::optional<HelixTurns> turns_of(const TextView& text, BlockMessages& messages,
                                    const Block& block) {
-    if (!block.has(Slot::Turns) || text.has_address(Slot::Turns)) return std::nullopt;
+    const bool is_in_lines = is_straightened(text, block);
+    const bool is_whole = !block.has(Slot::Turns) || text.has_address(Slot::Turns);
+    if (is_whole && !is_in_lines) return std::nullopt;
     const Function motion = text.effective_motion(block);
-    const double asked = block.at(Slot::Turns);
+    const double asked = block.has(Slot::Turns) ? block.at(Slot::Turns) : 0;
     HelixTurns helix;
     helix.block = block;
     // No further turns are what every arc has; what cannot be travelled has its message.
-    const bool is_sane = asked > 0 && asked <= kMostTurns && is_arc(motion);
+    const bool is_sane =
+        (asked > 0 || (is_in_lines && asked == 0)) && asked <= kMostTurns && is_arc(motion);
     if (asked > 0 && motion == Function::None)
         messages.cannot_express(block, "turns of an unknown motion");
     if (!is_sane || !require_known_turns(text, messages, block)) return helix;
@@ -213,7 +245,47 @@ std::optional<HelixTurns> turns_of(const TextView& text, BlockMessages& messages
         text.modal.meant_of(Group::FeedMode) == Function::FeedInverseTime && block.has(Slot::Feed);
     if (helix.shares_time)
         helix.inverse_time = block.at(Slot::Feed) * (kTurnRad * helix.turns + helix.rest);
+    if (is_in_lines) helix.chords = chords_of(helix);
     return helix;
+}
+
+Block chord_of(const HelixTurns& helix, int chord, const TextView& text) {
+    const Block& block = helix.block;
+    Block line;
+    if (chord == 1) {
+        line = block;
+        line.given &= ~(kTargetSlots | kCenterSlots | bit(Slot::Radius) | bit(Slot::Turns));
+        line.incremental = line.absolute = 0;
+    }
+    line.source = block.source;
+    line.skip_level = block.skip_level;
+    line.motion = Function::Line;
+    const double total = kTurnRad * helix.turns + helix.rest;
+    if (helix.shares_time) line.set(Slot::Feed, helix.inverse_time * helix.chords / total);
+    const double part = static_cast<double>(chord) / helix.chords;
+    const double radius =
+        std::hypot(helix.from[0] - helix.center[0], helix.from[1] - helix.center[1]);
+    const double turned = helix.motion == Function::ArcCw ? -total * part : total * part;
+    const double angle =
+        std::atan2(helix.from[1] - helix.center[1], helix.from[0] - helix.center[0]) + turned;
+    const PlanePoint on_part{helix.center[0] + radius * std::cos(angle),
+                             helix.center[1] + radius * std::sin(angle)};
+    for (std::size_t axis = 0; axis < kAxes; ++axis) {
+        const auto slot = static_cast<Slot>(axis);
+        const bool is_first = axis == helix.axes[0];
+        const bool is_in_plane = is_first || axis == helix.axes[1];
+        if (!is_in_plane && !block.has(slot)) continue;
+        const double at = chord == helix.chords ? helix.end[axis]
+                          : is_in_plane
+                              ? on_part[is_first ? 0 : 1] / text.on_part(axis)
+                              : helix.begin[axis] + (helix.end[axis] - helix.begin[axis]) * part;
+        const bool as_distance =
+            block.has(slot) ? text.is_distance(block, axis) : helix.is_incremental;
+        line.set(slot, as_distance ? at - text.modal.position.meant[axis] : at);
+        if (as_distance && !helix.is_incremental) line.incremental |= bit(slot);
+        if (!as_distance && helix.is_incremental) line.absolute |= bit(slot);
+    }
+    return line;
 }
 
 Block circle_of(const HelixTurns& helix, int turn, const TextView& text) {

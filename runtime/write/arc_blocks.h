@@ -43,6 +43,7 @@ struct HelixTurns {
     Function motion = Function::None;
     bool is_incremental = false;  // the dimensions that are meant
     int turns = 0;                // full ones
+    int chords = 0;               // lines that it is written as, where the control has no helices
     double rest = 0;              // angle of the rest, rad
     std::array<std::size_t, 3> axes{};
     PlanePoint from{};    // in the plane, on the part, mm
@@ -52,12 +53,15 @@ struct HelixTurns {
     bool shares_time = false;  // under inverse time
     double inverse_time = 0;   // of F, for a radian; holds if shares_time
 };
-/// None: the block has no turns, or the control has a word for them.
+/// None: the block has no turns, or the control has a word for them; and it is no helix of a
+/// control without these.
 std::optional<HelixTurns> turns_of(const TextView& text, BlockMessages& messages,
                                    const Block& block);
 
 /// turn  from 1
 Block circle_of(const HelixTurns& helix, int turn, const TextView& text);
+/// chord  from 1
+Block chord_of(const HelixTurns& helix, int chord, const TextView& text);
 /// What the circles have left.
 Block rest_of(const HelixTurns& helix, const TextView& text);
 

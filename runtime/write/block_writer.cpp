@@ -163,10 +163,17 @@ BlockWriter::Written BlockWriter::write_other_arc(const Block& block, Whole whol
     return Written::NotYet;
 }
 
-/// A helix of several turns on a control without a word for them: one block a turn.
+/// A helix of several turns on a control without a word for them: one block a turn. On one without
+/// helices it is lines.
 BlockWriter::Written BlockWriter::write_turns(const Block& block, Whole whole, std::string& out) {
     const std::optional<HelixTurns> helix = turns_of(text_, messages_, block);
     if (!helix) return Written::NotYet;
+    for (int chord = 1; chord <= helix->chords; ++chord)
+        write_block(chord_of(*helix, chord, text_), out, whole);
+    if (helix->chords > 0) {
+        state_.mean(Group::Motion, helix->motion);
+        return Written::Already;
+    }
     for (int turn = 1; turn <= helix->turns; ++turn)
         write_block(circle_of(*helix, turn, text_), out, whole);
     write_block(rest_of(*helix, text_), out, whole);
