@@ -80,15 +80,16 @@ std::int64_t greatest_number(const sema::Code& code) {
     std::int64_t greatest = 0;
     for (const sema::Plan& plan : code.plans)
         greatest = std::max(greatest, std::int64_t{plan.number});
-    return greatest;
+    return greatest + nc::kMostSections;
 }
 
-/// A further number; nothing: the control has none above those of the program.
+/// A further number; nothing: the control has none above those of the program. Between both lies
+/// room for the numbers of the sections.
 std::optional<std::int32_t> next_number(Running& run) {
+    constexpr std::int64_t kStep = 10;
     const nc::BlockNumbers& numbers = run.target.tables().block_numbers;
-    const std::int64_t step = std::max<std::int64_t>(numbers.step, 1);
     std::int64_t& greatest = run.shapes.greatest;
-    const std::int64_t next = std::max(numbers.start, (greatest / step + 1) * step);
+    const std::int64_t next = (greatest / kStep + 1) * kStep;
     if (next > std::min<std::int64_t>(numbers.most, std::numeric_limits<std::int32_t>::max()))
         return std::nullopt;
     greatest = next;

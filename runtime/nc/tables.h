@@ -215,6 +215,9 @@ struct CommentStyle {
     std::vector<std::pair<char, std::string>> replacements;
 };
 
+/// Tool changes of a program that get a number of their own, where nothing else does.
+inline constexpr std::int64_t kMostSections = 990;
+
 struct BlockNumbers {
     bool is_on = false;
     bool at_sections = false;  // only the blocks with which an operator may begin again

@@ -10,6 +10,7 @@
 namespace kadr::write {
 
 void Lines::begin(std::int64_t greatest_number) {
+    sections_ = 0;
     const BlockNumbers& numbers = tables_.block_numbers;
     const std::int64_t above =
         numbers.step > 0 ? (greatest_number / numbers.step + 1) * numbers.step : 0;
@@ -19,8 +20,9 @@ void Lines::begin(std::int64_t greatest_number) {
 
 std::int32_t Lines::next_section() {
     const BlockNumbers& numbers = tables_.block_numbers;
-    if (!numbers.at_sections || !is_numbered_) return -1;
-    if (number_ > numbers.most) number_ = numbers.start;
+    if (!numbers.at_sections || !is_numbered_ || sections_ == nc::kMostSections) return -1;
+    if (number_ > numbers.most) return -1;
+    ++sections_;
     return static_cast<std::int32_t>(std::exchange(number_, number_ + numbers.step));
 }
 

@@ -56,6 +56,7 @@ class Lines {
     std::uint32_t count_ = 0;
     std::size_t start_ = 0;
     std::int64_t number_ = 0;         // of the next line
+    std::int64_t sections_ = 0;       // that have a number
     std::int32_t given_number_ = -1;  // that the block brings, for its first line
 };
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <random>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -56,6 +57,27 @@ struct Known {
     bool has_feed_of_text = true;
 };
 
+/// The numbered blocks behind the call of a cycle along a shape.
+struct OpenShape {
+    std::set<std::int32_t> numbers;  // that the text has so far
+    std::int32_t last = -1;          // of the block with which the open one ends; -1: none is open
+};
+
+bool is_of_shape(const nc::Dialect& dialect, const nc::Block& block, OpenShape& shape) {
+    if (block.number >= 0) shape.numbers.insert(block.number);
+    if (shape.last >= 0) {
+        if (block.number == shape.last) shape.last = -1;
+        return true;
+    }
+    const nc::Invocation* cycle = block.find(Function::Cycle);
+    if (cycle == nullptr || !dialect.cycles()[block.cycle].takes_shape()) return false;
+    const int at = dialect.cycles()[block.cycle].roles.last_block;
+    const auto last =
+        static_cast<std::int32_t>(block.argument(*cycle, static_cast<std::size_t>(at), -1));
+    if (!shape.numbers.contains(last)) shape.last = last;
+    return false;
+}
+
 /// The text of a program, and what the expander knows behind the lines that end a block.
 struct Evaluated {
     std::string text;
@@ -86,11 +108,17 @@ Evaluated evaluated(const sema::Code& code, const nc::Dialect& dialect, Diagnost
     const bool is_inch = entry != functions.end() && entry->units == sema::Units::Inch;
     writer.begin({"known", 1, "", is_inch}, out.text);
     std::vector<nc::Block> block(1);
+    OpenShape shape;
     bool is_converted = false;
     while (expander.pull(block) > 0) {
         writer.write(block[0], out.text);
         // What the program has chosen comes with the line in front of the next block.
         if (writer.holds_codes()) continue;
+        // What stands behind a call for its shape the control passes over.
+        if (is_of_shape(dialect, block[0], shape)) {
+            out.known.erase(writer.lines());
+            continue;
+        }
         const ModalState* known = expander.known();
         if (known == nullptr) {
             out.known.erase(writer.lines());

@@ -25,9 +25,9 @@ struct MadeControl {
     std::vector<std::string_view> cannot_say;
 };
 inline const std::vector<MadeControl> kMadeControls = {
-    {"haas", {"frames", "orientation", "probe"}},
+    {"haas", {"frames", "plate", "orientation", "probe"}},
     {"heidenhain-iso",
-     {"housing", "hole_positions", "cycle_tap", "frames", "orientation", "probe"}},
+     {"housing", "hole_positions", "cycle_tap", "frames", "plate", "orientation", "probe"}},
 };
 
 /// A Kadr program and the machine that it is made for.
