@@ -9,7 +9,7 @@ namespace kadr::write {
 
 namespace {
 
-constexpr std::size_t kNumber = parameter_of<Function::WorkOffset>("number");
+constexpr std::size_t kOffsetNumber = parameter_of<Function::WorkOffset>("number");
 
 /// Groups that a program begins with as it likes. G91 is none of them: who starts a program wants
 /// to read G90, and the first distances say G91 themselves.
@@ -74,7 +74,7 @@ const Form* SafetyLine::offset_form(double number) const {
         const bool is_one_word =
             form.words.size() == 1 && form.words[0].kind == FormWord::Kind::Fixed;
         const bool is_number = std::ranges::any_of(form.fixed, [&](const auto& fixed) {
-            return fixed.first == static_cast<int>(kNumber) && fixed.second == number;
+            return fixed.first == static_cast<int>(kOffsetNumber) && fixed.second == number;
         });
         if (is_one_word && is_number && form.is_written) return &form;
     }
@@ -101,7 +101,7 @@ bool SafetyLine::take(const Block& block) {
     const auto functions = std::span(block.functions).first(block.function_count);
     const auto is_offset = [&](const Invocation& invocation) {
         return invocation.function == Function::WorkOffset &&
-               offset_form(block.argument(invocation, kNumber)) != nullptr;
+               offset_form(block.argument(invocation, kOffsetNumber)) != nullptr;
     };
     if (!std::ranges::all_of(functions, [&](const Invocation& invocation) {
             return can_take(invocation) || is_offset(invocation);
@@ -109,7 +109,7 @@ bool SafetyLine::take(const Block& block) {
         return false;
     for (const Invocation& invocation : functions) {
         if (invocation.function == Function::WorkOffset)
-            taken_.offset = {true, block.argument(invocation, kNumber)};
+            taken_.offset = {true, block.argument(invocation, kOffsetNumber)};
         else if (!needs_no_word(invocation.function))
             taken_.functions[index_of(info(invocation.function).group)] = invocation.function;
     }
@@ -203,7 +203,7 @@ void SafetyLine::write_start(const std::vector<std::string>& templates, std::str
             const bool is_offset = form != nullptr && form->function == Function::WorkOffset;
             if (!is_offset || taken_.offset.is_known) continue;
             Block block;
-            block.set_argument(*block.add(Function::WorkOffset, 1), kNumber,
+            block.set_argument(*block.add(Function::WorkOffset, 1), kOffsetNumber,
                                form->fixed.empty() ? 0 : form->fixed[0].second);
             state_.follow(block);
         }
