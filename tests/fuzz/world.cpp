@@ -57,7 +57,8 @@ constexpr const char* kControls[] = {"iso",
                                      "fanuc-calculator",
                                      "fanuc-lathe-calculator",
                                      "fanuc-commons",
-                                     "haas-lathe"};
+                                     "haas-lathe",
+                                     "nc210"};
 
 /// Every dialect file of the house has a number.
 void check_controls(const fs::path& folder) {
