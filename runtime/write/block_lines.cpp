@@ -58,7 +58,15 @@ bool BlockWriter::repeats_feed(const Block& block, const Choice& choice,
         return text_.feed_word.every_block || !text_.is_standing(Slot::Feed, feed, modal_.feed);
     }
     const Invocation* cycle = block.find(Function::Cycle);
-    return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, choice, *cycle);
+    // A call stands alone in its line: F has come before it.
+    return modal_.feed_is_other && cycle != nullptr && !has_feed_word(block, choice, *cycle) &&
+           !is_call(choice, block, *cycle);
+}
+
+/// Whether the cycle is written as a call, `CYCLE83(…)`.
+bool BlockWriter::is_call(const Choice& choice, const Block& block, const Invocation& cycle) const {
+    const FormId id = choice.forms[static_cast<std::size_t>(&cycle - block.functions.data())];
+    return id != kNoForm && tables_.forms[id].words[0].kind == FormWord::Kind::Call;
 }
 
 /// Whether the cycle has its F in a word of its own: its pitch, mostly.

@@ -449,6 +449,16 @@ void BlockWriter::write_functions_alone(const Block& block, Choice& choice, std:
             continue;
         }
         if (!form.implied.empty()) write_initial_level(form, block, invocation, out);
+        const bool needs_feed = modal_.feed_is_other && modal_.has_meant_feed &&
+                                form.function == Function::Cycle &&
+                                is_call(choice, block, invocation);
+        if (needs_feed && !dialect_.cycles()[block.cycle].taps) {
+            Block feed;
+            feed.source = block.source;
+            feed.skip_level = block.skip_level;
+            feed.set(Slot::Feed, modal_.meant_feed);
+            write_block(feed, out);
+        }
         if (!form.lead.empty()) write_pitch(form, block, invocation, out);
         if (form.is_verbatim) write_needs(form, block, out);
         const bool is_alone = form.owns_block || form.owns_line;

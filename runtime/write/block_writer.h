@@ -100,6 +100,7 @@ class BlockWriter {
 
     // Lines
     bool repeats_feed(const Block& block, const Choice& choice, const Targets& targets) const;
+    bool is_call(const Choice& choice, const Block& block, const Invocation& cycle) const;
     bool has_feed_word(const Block& block, const Choice& choice, const Invocation& cycle) const;
     void collect_slots(const Block& block, const Choice& choice, const Targets& targets,
                        Items& items);

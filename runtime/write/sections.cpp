@@ -85,10 +85,24 @@ void Sections::complete_speed(const WriterModal& modal, Block& block,
 
 /// The first position in the plane has both coordinates: who starts here stands anywhere.
 void Sections::complete_position(const WriterModal& modal, std::array<std::size_t, 3> plane,
-                                 Block& block) const {
+                                 Block& block, std::vector<Block>& before) const {
     const SlotMask first = bit(static_cast<Slot>(plane[0]));
     const SlotMask second = bit(static_cast<Slot>(plane[1]));
     const SlotMask given = block.given & (first | second);
+    const SlotMask across = bit(static_cast<Slot>(plane[2]));
+    const SlotMask both = SlotMask{1} << plane[0] | SlotMask{1} << plane[1];
+    if (owes_position_ && given == 0 && block.has(static_cast<Slot>(plane[2])) &&
+        (block.incremental & across) == 0 && (modal.position.known & both) == both &&
+        modal.meant_of(Group::Distance) == Function::Absolute && block.function_count == 0) {
+        // Down, or up, above the position at which the whole does it.
+        Block position;
+        position.source = block.source;
+        position.motion = Function::Rapid;
+        for (const std::size_t axis : {plane[0], plane[1]})
+            position.set(static_cast<Slot>(axis), modal.position.meant[axis]);
+        before.push_back(position);
+        return;
+    }
     const bool is_straight = block.motion == Function::Rapid || block.motion == Function::Line;
     if (!owes_position_ || std::popcount(given) != 1 || !is_straight || block.function_count != 0)
         return;
@@ -117,7 +131,7 @@ void Sections::complete(const WriterModal& modal, std::array<std::size_t, 3> pla
     if (block.kind != Block::Kind::Nc || block.skip_level >= 0) return;
     if (has_said_offset_) drop_offset(modal, block);
     complete_speed(modal, block, before);
-    complete_position(modal, plane, block);
+    complete_position(modal, plane, block, before);
 }
 
 }  // namespace kadr::write

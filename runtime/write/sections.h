@@ -37,8 +37,8 @@ class Sections {
 
   private:
     void complete_speed(const WriterModal& modal, Block& block, std::vector<Block>& before) const;
-    void complete_position(const WriterModal& modal, std::array<std::size_t, 3> plane,
-                           Block& block) const;
+    void complete_position(const WriterModal& modal, std::array<std::size_t, 3> plane, Block& block,
+                           std::vector<Block>& before) const;
 
     bool is_turret_;
     static void drop_offset(const WriterModal& modal, Block& block);

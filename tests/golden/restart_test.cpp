@@ -68,10 +68,14 @@ Moves run_of(const std::string& text, const std::string& dialect, const std::str
 
 bool is_cut(const json& command) { return command["op"] != "rapid"; }
 
-/// Up to the first cut the tool comes from wherever it stands: the ways there end alike, and the
-/// last one where the cut begins.
+/// Up to the first cut the tool comes from wherever it stands: it comes down above the same
+/// position, and the last way ends where the cut begins.
 void expect_same(const std::vector<json>& whole, const std::vector<json>& alone) {
     ASSERT_EQ(whole.size(), alone.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (const char* axis : {"X", "Y"})
+            ASSERT_EQ(whole[i]["to"][axis], alone[i]["to"][axis]) << "move " << i;
+    }
     const auto first = std::ranges::find_if(whole, is_cut);
     const auto begin = static_cast<std::size_t>(first - whole.begin());
     for (std::size_t i = begin > 0 ? begin - 1 : 0; i < whole.size(); ++i)
